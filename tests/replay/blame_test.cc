@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/prelude.h"
 #include "tests/support/log_memory.h"
 #include "tests/support/sample_log.h"
 #include "tests/support/sim_scenes.h"
 #include "tumble/replay/log_writer.h"
+#include "tumble/replay/prelude.h"
 #include "tumble/replay/session.h"
 
 namespace tumble::replay {

@@ -80,6 +80,52 @@ test("names, shapes and channels of another engine, sent and served", async () =
   child.kill("SIGINT");
 });
 
+/// Two bodies and a pull between them, which grows while the heat of the second falls; body 3 has neither.
+function import_pull(name) {
+  let text = "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z," +
+    "channel.heat,pair.pull\n";
+  for (let k = 0; k <= 20; ++k) {
+    text += `${k},1,0,0,1,1,0,0,0,100,2=${k} 3=50\n${k},2,2,0,1,1,0,0,0,${20 - k},\n${k},3,4,0,1,1,0,0,0,,\n`;
+  }
+  writeFileSync(sessions.path("pull.csv"), text);
+  sessions.run("import", "pull.csv", "-o", name);
+}
+
+test("a channel of one body and of one pair is plotted and searched", async () => {
+  import_pull("pull.tumble");
+  const { address, child } = await sessions.serve("pull.tumble");
+  const page = await open(`${address}#step=4&body=2`);
+  const body = panel_of(page, "Body");
+  const lane = (name) => page.locator(".lane", { has: page.getByText(name, { exact: true }) });
+  const value = (name, words) => lane(name).locator(".value", { hasText: words }).waitFor();
+  await value("heat, largest of bodies", /^100$/);
+  await body.getByRole("button", { name: "plot heat in the timeline" }).click();
+  await value("heat of body 2", /^16$/);
+  await body.getByRole("button", { name: "plot pull with body 1 in the timeline" }).press("Enter");
+  await value("pull of body 2 and body 1", /^4$/);
+  await value("pull, largest of pairs", /^50$/);
+  await page.locator("body").press("End");
+  await value("heat of body 2", /^0$/);
+  await value("pull of body 2 and body 1", /^20$/);
+  const search = page.locator("input[type=search]");
+  for (const [words, answer] of [["heat of 2 < 5", "1 run of steps, the first at 16"], ["pull of 1 and 2 > 17", "1 run of steps, the first at 18"],
+    ["pull of 2 and 1 >= 17", "1 run of steps, the first at 17"], ["heat of 3 > 0", "in no step"], ["pull of 1 > 0", `"pull" is a channel of pairs: pull of 1 and 2 > 0`],
+    ["heat of 9 > 0", `no body "9"`]]) {
+    await search.fill(words);
+    await page.locator(".search output").getByText(answer, { exact: true }).waitFor();
+  }
+  await page.screenshot({ path: sessions.path("pull.png") });
+  const plot = body.getByRole("button", { name: "plot heat in the timeline" });
+  assert.equal(await plot.getAttribute("aria-pressed"), "true");
+  await plot.click();
+  await lane("heat of body 2").waitFor({ state: "detached" });
+  await page.context().close();
+  const status = async (path) => (await fetch(address + path)).status;
+  assert.equal(await status("channel?log=0&channel=0&a=2&b=0&from=0"), 200);
+  assert.equal(await status("channel?log=0&channel=2&a=2&b=0&from=0"), 400);
+  child.kill("SIGINT");
+});
+
 test("a lane says nothing of steps that the timeline has not reached", async () => {
   const { address, child } = await sessions.serve("own.tumble");
   const page = await (await browser.newContext()).newPage();
@@ -97,6 +143,22 @@ test("a lane says nothing of steps that the timeline has not reached", async () 
   await page.locator("body").press("End");
   await until(page, "output.said", "step 120 ");
   assert.equal(await value.textContent(), "–");
+  await page.context().close();
+  child.kill("SIGINT");
+});
+
+test("a timeline that was not read is not searched", async () => {
+  const { address, child } = await sessions.serve("own.tumble");
+  const page = await (await browser.newContext()).newPage();
+  const unread = "own.tumble: cannot be opened: No such file or directory";
+  await page.route(/\/news\?/, async (route) => {
+    const news = await (await route.fetch()).json();
+    await route.fulfill({ json: { ...news, rows: 0, begun: 0, timeline_done: true, contacts_done: true, note: unread, unread } });
+  });
+  await page.goto(address);
+  await until(page, ".notices .fail", unread);
+  await page.locator("input[type=search]").fill("speed > 1");
+  await until(page, ".search output", `the timeline was not read: ${unread}`);
   await page.context().close();
   child.kill("SIGINT");
 });

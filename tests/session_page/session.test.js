@@ -173,6 +173,23 @@ test("two logs: the first difference, its growth and the phases", async () => {
   await page.context().close();
 });
 
+test("two logs without a difference: what the page says of every bit", async () => {
+  const verdict = async (a, b, name) => {
+    sessions.run("view", a, b, "-o", name);
+    const page = await open(sent(name));
+    const panel = panel_of(page, "Comparison");
+    const words = [await panel.locator("p.good").textContent(), await panel.locator("p.soft").first().textContent()];
+    await page.context().close();
+    return words;
+  };
+  sessions.record("again.tumble");
+  sessions.record("states.tumble", {}, "--hashes", "states");
+  assert.deepEqual(await verdict("a.tumble", "again.tumble", "same.html"), ["Identical: 120 steps, the same in every bit.", "Not compared: names, texts, notes, snapshots, cameras, lights and looks: no step depends on them."]);
+  const [good, left_out] = await verdict("a.tumble", "states.tumble", "compared.html");
+  assert.equal(good, "Identical: 120 steps, the same in every compared bit.");
+  assert.match(left_out, /^Not compared: .*phase/);
+});
+
 test("names of files and scenes stay text, and no script but the page's own runs", async () => {
   sessions.run("view", kHostileFile, "-o", "hostile.html");
   const page = await open(sent("hostile.html"));

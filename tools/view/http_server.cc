@@ -24,7 +24,7 @@ namespace tumble::tools {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kWorkers = 8;
+constexpr std::size_t kWorkers = 32;  // a browser holds up to 6 connections, and a slow question its worker
 constexpr std::size_t kRequestsPerConnection = 10'000;
 constexpr int kPatience = 5;  // s, for a client that sends or reads slowly
 constexpr int kKeepOpen = 2;  // s; an idle connection holds a worker no longer

@@ -8,6 +8,7 @@
 #include "replay/blame/blame.h"
 #include "replay/view/state_frame.h"
 #include "tools/compare/blame_output.h"
+#include "tools/view/body_json.h"
 #include "tools/view/view_json.h"
 
 #if defined(__linux__)
@@ -26,14 +27,9 @@ constexpr int kBackgroundNice = 5;  // of the thread that reads the timeline
 
 constexpr auto kPause = std::chrono::milliseconds(250);  // between two looks at a log that may grow
 
-/// The same log, opened again because more of it may be there now; null where another file lies at its path, or none.
-std::optional<replay::LogReader> opened_again(const replay::LogReader& log) {
-  Result<replay::LogReader> again = replay::LogReader::open(log.name());
-  if (!again.ok() || again->header_prelude().log_tag != log.header_prelude().log_tag) return std::nullopt;
-  if (again->last_step() <= log.last_step() && again->condition().finished == log.condition().finished) {
-    return std::nullopt;
-  }
-  return std::optional(*std::move(again));
+/// Whether a log that was opened again has more to read.
+bool has_more(const replay::LogReader& again, const replay::LogReader& log) {
+  return again.last_step() > log.last_step() || again.condition().finished != log.condition().finished;
 }
 
 // Lets every other thread go first: whoever waits for an answer does not wait for the timeline.
@@ -52,8 +48,10 @@ ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::ViewedBound> 
     : path_(reader.name()),
       tag_(reader.header_prelude().log_tag),
       bounds_(std::move(bounds)),
+      channels_(replay::channel_columns(reader.header())),
       log_(std::move(reader)),
       table_(log_.header()),
+      reached_(log_.last_step()),
       thread_([this] { work(); }) {
   const Lock lock(reading_);
   states_.emplace(log_);
@@ -66,10 +64,25 @@ ServedLog::~ServedLog() {
 
 Result<replay::LogReader> ServedLog::open() const {
   Result<replay::LogReader> log = replay::LogReader::open(path_);
-  if (log.ok() && log->header_prelude().log_tag != tag_) {
+  if (!log.ok()) return log;
+  if (log->header_prelude().log_tag != tag_) {
     return bad_input(path_ + ": another log lies here now; start 'tumble view' again");
   }
+  const Lock lock(found_);
+  if (log->last_step() < reached_) {
+    return bad_input(path_ + ": was cut while it was shown: its last step is " + std::to_string(log->last_step()) +
+                     " now, and was " + std::to_string(reached_) + "; start 'tumble view' again");
+  }
   return log;
+}
+
+std::optional<replay::LogReader> ServedLog::opened_again(const replay::LogReader& log) {
+  Result<replay::LogReader> again = open();
+  const Lock lock(found_);
+  note_ = again.ok() ? "" : printable(again.error().message);
+  if (!again.ok() || !has_more(*again, log)) return std::nullopt;
+  reached_ = std::max(reached_, again->last_step());
+  return std::optional(*std::move(again));
 }
 
 // Requires reading_.
@@ -111,7 +124,8 @@ Json ServedLog::news() {
           {"timeline_done", timeline_done_},
           {"contacts_done", contacts_done_},
           {"contacts_why_not", contacts_why_not_},
-          {"note", note_}};
+          {"note", note_},
+          {"unread", unread_}};
 }
 
 Json ServedLog::timeline(std::size_t from) {
@@ -192,6 +206,13 @@ Json ServedLog::history(sim::BodyId id, std::uint64_t from) {
   return history_json(from, replay::body_history(history_.source(), history_.log(), id, from, kHistoryBodyStates));
 }
 
+Json ServedLog::channel(std::size_t channel, const replay::ChannelKey& owner, std::uint64_t from) {
+  const Lock lock(telling_);
+  if (const Status ready = history_.prepare(from); !ready.ok()) return {{"why_not", printable(ready.error().message)}};
+  return channel_history_json(from, replay::channel_history(history_.source(), history_.log(), channels_.at(channel),
+                                                            owner, from, kHistoryBodyStates));
+}
+
 Json ServedLog::way(sim::BodyId id) {
   const Lock lock(found_);
   const BodyWays::Way way = ways_.way(id);
@@ -206,7 +227,7 @@ void ServedLog::work() {
   Result<replay::LogReader> opened = open();
   if (!opened.ok()) {
     const Lock lock(found_);
-    note_ = printable(opened.error().message);
+    note_ = unread_ = printable(opened.error().message);
     timeline_done_ = contacts_done_ = true;
     return;
   }

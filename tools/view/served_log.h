@@ -17,6 +17,7 @@
 #include "tools/output/text.h"
 #include "tools/view/body_ways.h"
 #include "tools/view/own_reader.h"
+#include "tumble/replay/channel.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
@@ -33,7 +34,8 @@ class ServedLog {
 
   /// head_json(). Opens the log again where it has grown.
   Json head();
-  /// {"last", "finished", "rows", "version", "timeline_done", "contacts_done", "contacts_why_not", "note"}.
+  /// {"last", "finished", "rows", "version", "timeline_done", "contacts_done", "contacts_why_not", "note", "unread"}.
+  /// "note": why the log cannot be opened again now; "unread": why the timeline was not read.
   Json news();
   Json bodies();
 
@@ -57,19 +59,27 @@ class ServedLog {
   Json blame(std::uint64_t k, sim::BodyId id, const std::string& field, std::uint32_t answers);
   /// history_json() of the body from step `from` on, a part a call.
   Json history(sim::BodyId id, std::uint64_t from);
+  /// channel_history_json() of a body or a pair from step `from` on, a part a call. channel: by index in the head's.
+  Json channel(std::size_t channel, const replay::ChannelKey& owner, std::uint64_t from);
+  /// How many channels the head has.
+  [[nodiscard]] std::size_t channels() const { return channels_.size(); }
   /// {"id", "step", "at": [x, y, z, …]}: where the body was, as far as the timeline has been read.
   Json way(sim::BodyId id);
 
  private:
   void work();  // the second thread
   void refresh();
-  /// A further reader of the log. Errors: LogReader::open()'s; kBadInput where another log lies at its path by now.
+  /// A further reader of the log. Errors: LogReader::open()'s; kBadInput where another log lies at its path by now, or
+  /// what is left of this one.
   [[nodiscard]] Result<replay::LogReader> open() const;
+  /// The log with what was recorded since; none where there is no more, or it cannot be opened, which news() say.
+  std::optional<replay::LogReader> opened_again(const replay::LogReader& log);
 
   const std::string path_;
   const std::uint64_t tag_;
   const std::vector<replay::ViewedBound> bounds_;
-  std::mutex reading_;  // guards what follows
+  const std::vector<std::size_t> channels_;  // channel_columns()
+  std::mutex reading_;                       // guards what follows
   replay::LogReader log_;
   std::optional<replay::StateSource> states_;
   replay::ViewedBodies table_;
@@ -83,7 +93,8 @@ class ServedLog {
   std::mutex telling_;  // guards history_
   OwnReader<replay::StateSource> history_{[this] { return open(); }};
 
-  std::mutex found_;  // guards what follows; locked after reading_
+  mutable std::mutex found_;  // guards what follows; locked after reading_
+  std::uint64_t reached_;     // the last step that was there
   std::vector<replay::TimelineRow> rows_;
   std::vector<replay::TimelineInput> inputs_;
   std::vector<replay::Extras> extras_;  // names and shapes that table_ does not have yet
@@ -91,7 +102,7 @@ class ServedLog {
   BodyWays ways_;
   bool timeline_done_ = false;
   bool contacts_done_ = false;
-  std::string contacts_why_not_, note_;
+  std::string contacts_why_not_, note_, unread_;
 
   std::atomic<bool> stop_ = false;
   std::thread thread_;  // last: it uses all of the above

@@ -112,6 +112,13 @@ const std::map<std::string, Question>& questions() {
          const std::uint64_t id = n.take("id", sim::kBodyIdMax), from = n.take("from", sim::kStepsMax);
          return json_of(n, [&] { return log.history(id, from); });
        }},
+      {"channel",
+       [](ServedLog& log, Numbers& n) {
+         if (log.channels() == 0) return refusal(400, "channel: the log has no channels of numbers");
+         const std::uint64_t channel = n.take("channel", log.channels() - 1), from = n.take("from", sim::kStepsMax);
+         const replay::ChannelKey owner{n.take("a", sim::kBodyIdMax), n.take("b", sim::kBodyIdMax)};
+         return json_of(n, [&] { return log.channel(channel, owner, from); });
+       }},
       {"way",
        [](ServedLog& log, Numbers& n) {
          const std::uint64_t id = n.take("id", sim::kBodyIdMax);

@@ -245,29 +245,4 @@ Json contact_rows_json(std::span<const replay::ContactPoint> points) {
   return rows;
 }
 
-Json body_json(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels) {
-  const replay::BodyStates& states = record.states;
-  const auto found = std::ranges::lower_bound(states.id, id);
-  if (found == states.id.end() || *found != id) return nullptr;
-  const auto row = static_cast<std::size_t>(found - states.id.begin());
-  const replay::ConstColumns columns = replay::columns_of(states);
-  Json fields = Json::array();
-  for (const std::size_t c : replay::kFieldOrder) {
-    const double value = (*columns[c])[row];
-    fields.push_back({{"field", replay::kColumnNames[c]}, {"value", number_json(value)}, {"hex", hex_text(value)}});
-  }
-  Json own = Json::array();
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    if (channels[c].type.scope != replay::ChannelScope::kBody) continue;
-    const replay::ChannelValues& values = record.extras.values(c);
-    const auto key = std::ranges::find(values.keys, id, &replay::ChannelKey::a);
-    if (key == values.keys.end()) continue;
-    const auto at = static_cast<std::size_t>(key - values.keys.begin());
-    const std::string text = to_string(values.value(at, channels[c].type.kind), channels[c].type.kind);
-    own.push_back({{"field", printable(channels[c].name)}, {"value", printable(text + ' ' + channels[c].unit)}});
-  }
-  return {
-      {"id", id}, {"step", record.step}, {"frozen", states.frozen[row] != 0}, {"fields", fields}, {"channels", own}};
-}
-
 }  // namespace tumble::tools

@@ -38,10 +38,6 @@ Json history_json(std::uint64_t from, std::span<const replay::BodyMoment> histor
 /// [[a, b or 0, x, y, z, normal x, y, z, depth, impulse]].
 Json contact_rows_json(std::span<const replay::ContactPoint> points);
 
-/// One body in one state, to the last bit: {"id", "step", "frozen", "fields": [{"field", "value", "hex"}]}, and
-/// "channels": [{"field", "value"}] with the values of the body's channels; null where the state has no such body.
-Json body_json(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels);
-
 /// The text of JSON; bytes that are not UTF-8 become replacement characters.
 std::string dumped(const Json& json);
 

@@ -1,4 +1,4 @@
-(()=>{var Jd='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
+(()=>{var ef='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
 ca Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji";line-height: 1.5;width: min-content;}.u-t\
 itle {text-align: center;font-size: 18px;font-weight: bold;}.u-wrap {position: relative;user-select: none;}.u-over, .u-under {position: absolute;}.u-under {over\
 flow: hidden;}.uplot canvas {display: block;position: relative;width: 100%;height: 100%;}.u-axis {position: absolute;}.u-legend {font-size: 14px;margin: auto;te\
@@ -9,7 +9,7 @@ inter;}.u-legend .u-off > * {opacity: 0.3;}.u-select {background: rgba(0,0,0,0.0
 absolute;left: 0;top: 0;pointer-events: none;will-change: transform;}.u-hz .u-cursor-x, .u-vt .u-cursor-y {height: 100%;border-right: 1px dashed #607D8B;}.u-hz \
 .u-cursor-y, .u-vt .u-cursor-x {width: 100%;border-bottom: 1px dashed #607D8B;}.u-cursor-pt {position: absolute;top: 0;left: 0;border-radius: 50%;border: 0 soli\
 d;pointer-events: none;will-change: transform;/*this has to be !important since we set inline "background" shorthand */background-clip: padding-box !important;}\
-.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var Kd=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
+.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var tf=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
 : #5fd0c5; --expected: #ffb45c; } }\n.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); gap: 1rem; }\n.plots figure {\
  min-width: 0; margin: 0; }\n.plots figcaption { font-weight: 600; }\n.plot { min-width: 0; }\n.u-legend { font-size: .82rem; text-align: left; }\n.uplot .u-legend \
 tr, .uplot .u-legend td, .uplot .u-legend th { padding: 0 .3rem; border: 0; }\n.uplot .u-legend tr { display: inline-block; padding: 0 .4rem 0 0; }\n.uplot .u-leg\
@@ -26,7 +26,7 @@ set: 2px; }\n.controls output { flex: 1 1 100%; font-variant-numeric: tabular-nu
 }\n.viewer .stack { position: relative; border: 1px solid var(--line); }\n.viewer .stack img { display: block; width: 100%; max-width: none; image-rendering: pixe\
 lated; }\n.viewer .stack .over { position: absolute; inset: 0; }\n.viewer .stack .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; bac\
 kground: #fff;\n  box-shadow: 0 0 0 1px #000; }\n.viewer .tag { position: absolute; top: .4rem; left: .4rem; padding: 0 .5rem; border-radius: .3rem; background: #\
-000b;\n  color: #fff; font-size: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var jd=':root { --contact: #c2185b; --select: #e08a00; --asleep: #8a97a6; --way: #6a4bc4; --warn: #7a5200; --stage: #e9eef4; --stage-2: #f8fafc; }\n@media (prefe\
+000b;\n  color: #fff; font-size: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var nf=':root { --contact: #c2185b; --select: #e08a00; --asleep: #8a97a6; --way: #6a4bc4; --warn: #7a5200; --stage: #e9eef4; --stage-2: #f8fafc; }\n@media (prefe\
 rs-color-scheme: dark) { :root { --contact: #ff79b0; --select: #ffc04d; --asleep: #6d7a89; --way: #b7a0ff; --warn: #ffcf70;\n  --stage: #11161b; --stage-2: #222a\
 33; } }\nbody.session { max-width: none; padding: .9rem 1.25rem 2rem; }\n.session h1 { font-size: 1.25rem; overflow-wrap: anywhere; }\n.session h2 { margin: 0; fon\
 t-size: .95rem; }\n.session .facts { display: flex; flex-wrap: wrap; gap: .35rem .5rem; align-items: center; margin: .3rem 0; }\n.session .scene { margin-right: .\
@@ -50,412 +50,413 @@ lor: var(--soft); }\n.session button:disabled { opacity: .5; cursor: default; }\
 actual); font-weight: 600;\n  background: color-mix(in srgb, var(--actual) 12%, var(--panel)); }\n.session :focus-visible { outline: 3px solid #3b82f6; outline-of\
 fset: 1px; }\n.session button.link { padding: 0; border: 0; background: none; color: var(--actual); text-decoration: underline; text-underline-offset: .15em; }\n.\
 session button.jump { border-color: var(--bad); color: var(--bad); font-weight: 600; }\n.said { display: block; margin: .45rem 0; min-height: 1.5em; font-variant\
--numeric: tabular-nums; }\n.player { display: flex; flex-wrap: wrap; gap: .35rem; align-items: center; flex: 1 1 20rem; min-width: 0; }\n.player button { display:\
- inline-grid; place-items: center; width: 2.3rem; height: 2.1rem; padding: 0; }\n.player .icon, .player .icon svg { display: block; width: 1.25rem; height: 1.25r\
-em; }\n.player .play svg path, .player .back svg path { fill: currentColor; }\n.player input[type="range"] { flex: 1 1 10rem; min-width: 6rem; accent-color: var(-\
--actual); }\n.player .step { width: 6.5rem; text-align: right; font-variant-numeric: tabular-nums; }\n.timeline { position: relative; margin-top: .7rem; border: 1\
-px solid var(--line); border-radius: .5rem; background: var(--panel); overflow: hidden; touch-action: pan-y; }\n.lane { display: grid; grid-template-columns: 11.\
-5rem minmax(0, 1fr); align-items: stretch; border-bottom: 1px solid var(--line); }\n.lane[hidden] { display: none; }\n.lane:last-of-type { border-bottom: 0; }\n.la\
-ne .label { display: flex; flex-direction: column; justify-content: center; padding: .1rem .6rem; min-width: 0; font-size: .76rem; line-height: 1.25; border-rig\
-ht: 1px solid var(--line); }\n.lane .label span:first-child { color: var(--soft); }\n.lane .value { overflow: hidden; text-overflow: ellipsis; white-space: nowrap\
-; font-variant-numeric: tabular-nums; }\n.lane canvas { display: block; width: 100%; cursor: col-resize; }\n.timeline .cursor { position: absolute; top: 0; bottom\
-: 0; left: 0; width: 0; border-left: 1.5px solid var(--ink); pointer-events: none; }\naside { min-width: 0; font-size: .92rem; }\n.search-row { display: flex; gap\
-: .3rem; }\n.search-row input { flex: 1; min-width: 0; }\n.search output { display: block; min-height: 1.5em; margin: .25rem 0; }\n.hits, .marks, ol.inputs { margi\
-n: 0 0 .5rem; padding-left: 1.1rem; }\n.hits li.at { font-weight: 600; }\n.session details.panel { margin: 0 0 .6rem; background: var(--paper); }\n.session details\
-.panel summary { padding: .4rem .75rem; }\n.panel .inside { padding: .4rem .75rem .6rem; overflow-wrap: anywhere; }\n.panel table { font-size: .86rem; }\n.panel ca\
-ption { padding: .3rem 0; text-align: left; color: var(--soft); }\n.panel th { font-weight: 400; } .panel thead th { color: var(--soft); }\n.phases th[scope] { wh\
-ite-space: nowrap; }\n.panel th, .panel td { padding: .15rem .4rem .15rem 0; vertical-align: baseline; }\ntr.differs th, tr.differs td { color: var(--bad); font-w\
-eight: 600; } tr.differs button.link { color: inherit; }\nol.blame { margin: .3rem 0; padding-left: 1.3rem; } ol.blame p { margin: .1rem 0; } .shares { padding-l\
-eft: 1rem; color: var(--soft); }\n.actions { display: flex; gap: .4rem; flex-wrap: wrap; }\n.keys { display: grid; grid-template-columns: auto 1fr; gap: .15rem .8\
-rem; margin: 0; font-size: .86rem; }\n.keys dd { margin: 0; } kbd { font: inherit; font-weight: 600; white-space: nowrap; }\n@media (max-width: 60rem) { .work { g\
-rid-template-columns: minmax(0, 1fr); } }\n@media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .session .view3d { height: 46vh; min-height: 14rem; }\
-\n  .lane { grid-template-columns: 7.2rem minmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: t\
-able-row-group; }\n  .session thead { display: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display\
-: table-cell; padding: .15rem .4rem .15rem 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6r\
-em; height: 2.5rem; }\n  .player input[type="range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var G0="uplot",H0="u-hz",W0="u-vt",X0="u-title",q0="u-wrap",$0="u-under",Y0="u-over",Z0="u-axis",Xs="u-off",J0="u-select",K0="u-cursor-x",j0="u-cursor-y",Q0="u-\
-cursor-pt",e_="u-legend",t_="u-live",n_="u-inline",i_="u-series",s_="u-marker",Qd="u-label",r_="u-value",bo="width",So="height";var ef="bottom",yr="left",gh="right",Nh="#000",tf=Nh+"0",_h="mousemove",nf="mousedown",xh="mouseup",sf="mouseenter",rf="mouseleave",of="dblclick",o_="resize",a_="\
-scroll",af="change",Da="dppxchange",Dh="--",Ar=typeof window<"u",Sh=Ar?document:null,Mr=Ar?window:null,l_=Ar?navigator:null,wt,Pa;function wh(){let i=devicePixelRatio;
-wt!=i&&(wt=i,Pa&&Ah(af,Pa,wh),Pa=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),qs(af,Pa,wh),Mr.dispatchEvent(
-new CustomEvent(Da)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Th(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
-i.style[e]=t+"px"}function mi(i,e,t,n){let s=Sh.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function ri(i,e){return mi("div",i,e)}var lf=new WeakMap;
-function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=lf.get(i);r!=o&&(i.style.transform=r,lf.set(i,r),e<0||t<0||e>n||t>s?Yn(i,Xs):Th(i,Xs))}var cf=new WeakMap;
-function hf(i,e,t){let n=e+t,s=cf.get(i);n!=s&&(cf.set(i,n),i.style.background=e,i.style.borderColor=t)}var uf=new WeakMap;function df(i,e,t,n){let s=e+""+t,r=uf.
-get(i);s!=r&&(uf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Uh={passive:!0},c_={...Uh,
-capture:!0};function qs(i,e,t,n){e.addEventListener(i,t,n?c_:Uh)}function Ah(i,e,t,n){e.removeEventListener(i,t,Uh)}Ar&&wh();function gi(i,e,t,n){let s;t=t||0,n=
-n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function zf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
-s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var Vf=i=>i!=null,Gf=i=>i!=null&&i>0,Oa=zf(Vf),h_=zf(Gf);function u_(i,e,t,n=0,s=!1){
-let r=s?h_:Oa,o=s?Gf:Vf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
-a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function Ba(i,e,t,n){let s=mf(i),r=mf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Zi:Hf,a=s==1?Zn:oi,l=r==1?oi:Zn,
-c=a(o(dn(i))),d=l(o(dn(e))),u=br(t,c),h=br(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=$f(i,u),e=ka(e,h)),[i,e]}function Fh(i,e,t,n){
-let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Oh=.1,ff={mode:3,pad:Oh},To={pad:0,soft:null,mode:0},d_={min:To,max:To};function Ua(i,e,t,n){return za(
-t)?pf(i,e,t):(To.pad=t,To.soft=n?0:null,To.mode=n?3:0,pf(i,e,d_))}function bt(i,e){return i??e}function f_(i,e,t){for(e=bt(e,0),t=bt(t,i.length-1);e<=t;){if(i[e]!=
-null)return!0;e++}return!1}function pf(i,e,t){let n=t.min,s=t.max,r=bt(n.pad,0),o=bt(s.pad,0),a=bt(n.hard,-Nt),l=bt(s.hard,Nt),c=bt(n.soft,Nt),d=bt(s.soft,-Nt),
-u=bt(n.mode,0),h=bt(s.mode,0),f=e-i,m=Zi(f),y=Un(dn(i),dn(e)),p=Zi(y),g=dn(p-m);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let _=f||y||1e3,S=Zi(_),M=br(10,Zn(S)),C=_*(f==0?i==0?.1:1:r),T=Dt($f(i-C,M/10),24),x=i>=c&&(u==1||u==3&&T<=c||u==2&&T>=c)?c:Nt,b=Un(a,T<x&&i>=x?x:_i(x,T)),
-L=_*(f==0?e==0?.1:1:o),R=Dt(ka(e+L,M/10),24),P=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>P&&e<=P?P:Un(P,R));return b==F&&b==0&&(F=100),[b,F]}var p_=new Intl.
-NumberFormat(Ar?l_.language:"en-US"),Bh=i=>p_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,oi=Jn.ceil,_i=Jn.min,Un=Jn.max,br=Jn.pow,mf=Jn.sign,Zi=Jn.
-log10,Hf=Jn.log2,m_=(i,e=1)=>Jn.sinh(i)*e,yh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function gf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Eh(i,e,t){return _i(Un(i,e),
-t)}function Wf(i){return typeof i=="function"}function gt(i){return Wf(i)?i:()=>i}var g_=()=>{},Xf=i=>i,qf=(i,e)=>e,__=i=>null,_f=i=>!0,xf=(i,e)=>i==e,x_=/\.\d*?(?=9{6,}|0{6,})/gm,
-$s=i=>{if(Zf(i)||vs.has(i))return i;let e="".concat(i),t=e.match(x_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
-concat($s(s),"e").concat(r)}return Dt(i,n)};function Hs(i,e){return $s(Dt($s(i/e))*e)}function ka(i,e){return $s(oi($s(i/e))*e)}function $f(i,e){return $s(Zn($s(
-i/e))*e)}function Dt(i,e=0){if(Zf(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var vs=new Map;function Yf(i){return((""+i).split(".")[1]||"").
-length}function Eo(i,e,t,n){let s=[],r=n.map(Yf);for(let o=e;o<t;o++){let a=dn(o),l=Dt(br(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),vs.set(h,u)}}return s}var Ao={},kh=[],Sr=[null,null],ys=Array.isArray,Zf=Number.isInteger,y_=i=>i===
-void 0;function yf(i){return typeof i=="string"}function za(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function v_(i){return i!=null&&
-typeof i=="object"}var M_=Object.getPrototypeOf(Uint8Array),Jf="__proto__";function wr(i,e=za){let t;if(ys(i)){let n=i.find(s=>s!=null);if(ys(n)||e(n)){t=Array(
-i.length);for(let s=0;s<i.length;s++)t[s]=wr(i[s],e)}else t=i.slice()}else if(i instanceof M_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=Jf&&(t[n]=wr(i[n],
-e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=Jf&&(za(i[s])?on(i[s],wr(n[s])):i[s]=wr(n[s]))}return i}
-var b_=0,S_=1,w_=2;function T_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
-s++]=null}}}function A_(i,e){if(R_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return P_(o[0])||(o=C_(o)),o}let t=new Set;for(let o=0;o<
+-numeric: tabular-nums; }\n.told { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }\n.player { display\
+: flex; flex-wrap: wrap; gap: .35rem; align-items: center; flex: 1 1 20rem; min-width: 0; }\n.player button { display: inline-grid; place-items: center; width: 2\
+.3rem; height: 2.1rem; padding: 0; }\n.player .icon, .player .icon svg { display: block; width: 1.25rem; height: 1.25rem; }\n.player .play svg path, .player .back\
+ svg path { fill: currentColor; }\n.player input[type="range"] { flex: 1 1 10rem; min-width: 6rem; accent-color: var(--actual); }\n.player .step { width: 6.5rem; \
+text-align: right; font-variant-numeric: tabular-nums; }\n.timeline { position: relative; margin-top: .7rem; border: 1px solid var(--line); border-radius: .5rem;\
+ background: var(--panel); overflow: hidden; touch-action: pan-y; }\n.lane { display: grid; grid-template-columns: 11.5rem minmax(0, 1fr); align-items: stretch; \
+border-bottom: 1px solid var(--line); }\n.lane[hidden] { display: none; }\n.lane:last-of-type { border-bottom: 0; }\n.lane .label { display: flex; flex-direction: \
+column; justify-content: center; padding: .1rem .6rem; min-width: 0; font-size: .76rem; line-height: 1.25; border-right: 1px solid var(--line); }\n.lane .label s\
+pan:first-child { color: var(--soft); }\n.lane .value { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; font-variant-numeric: tabular-nums; }\n.la\
+ne canvas { display: block; width: 100%; cursor: col-resize; }\n.timeline .cursor { position: absolute; top: 0; bottom: 0; left: 0; width: 0; border-left: 1.5px \
+solid var(--ink); pointer-events: none; }\naside { min-width: 0; font-size: .92rem; }\n.search-row { display: flex; gap: .3rem; }\n.search-row input { flex: 1; min\
+-width: 0; }\n.search output { display: block; min-height: 1.5em; margin: .25rem 0; }\n.hits, .marks, ol.inputs { margin: 0 0 .5rem; padding-left: 1.1rem; }\n.hits\
+ li.at { font-weight: 600; }\n.session details.panel { margin: 0 0 .6rem; background: var(--paper); }\n.session details.panel summary { padding: .4rem .75rem; }\n.\
+panel .inside { padding: .4rem .75rem .6rem; overflow-wrap: anywhere; }\n.panel table { font-size: .86rem; }\n.panel caption { padding: .3rem 0; text-align: left;\
+ color: var(--soft); }\n.panel th { font-weight: 400; } .panel thead th { color: var(--soft); }\n.phases th[scope] { white-space: nowrap; }\n.panel th, .panel td {\
+ padding: .15rem .4rem .15rem 0; vertical-align: baseline; }\ntr.differs th, tr.differs td { color: var(--bad); font-weight: 600; } tr.differs button.link { colo\
+r: inherit; }\nol.blame { margin: .3rem 0; padding-left: 1.3rem; } ol.blame p { margin: .1rem 0; } .shares { padding-left: 1rem; color: var(--soft); }\n.actions {\
+ display: flex; gap: .4rem; flex-wrap: wrap; }\n.keys { display: grid; grid-template-columns: auto 1fr; gap: .15rem .8rem; margin: 0; font-size: .86rem; }\n.keys \
+dd { margin: 0; } kbd { font: inherit; font-weight: 600; white-space: nowrap; }\n@media (max-width: 60rem) { .work { grid-template-columns: minmax(0, 1fr); } }\n@\
+media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .session .view3d { height: 46vh; min-height: 14rem; }\n  .lane { grid-template-columns: 7.2rem mi\
+nmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: table-row-group; }\n  .session thead { displa\
+y: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem \
+0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type=\
+"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var $0="uplot",q0="u-hz",Y0="u-vt",Z0="u-title",J0="u-wrap",K0="u-under",j0="u-over",Q0="u-axis",$s="u-off",e_="u-select",t_="u-cursor-x",n_="u-cursor-y",i_="u-\
+cursor-pt",s_="u-legend",r_="u-live",o_="u-inline",a_="u-series",l_="u-marker",sf="u-label",c_="u-value",wo="width",To="height";var rf="bottom",vr="left",_h="right",Dh="#000",of=Dh+"0",xh="mousemove",af="mousedown",yh="mouseup",lf="mouseenter",cf="mouseleave",hf="dblclick",h_="resize",u_="\
+scroll",uf="change",Da="dppxchange",Uh="--",Er=typeof window<"u",wh=Er?document:null,Mr=Er?window:null,d_=Er?navigator:null,wt,Pa;function Th(){let i=devicePixelRatio;
+wt!=i&&(wt=i,Pa&&Eh(uf,Pa,Th),Pa=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),qs(uf,Pa,Th),Mr.dispatchEvent(
+new CustomEvent(Da)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Ah(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
+i.style[e]=t+"px"}function mi(i,e,t,n){let s=wh.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function oi(i,e){return mi("div",i,e)}var df=new WeakMap;
+function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=df.get(i);r!=o&&(i.style.transform=r,df.set(i,r),e<0||t<0||e>n||t>s?Yn(i,$s):Ah(i,$s))}var ff=new WeakMap;
+function pf(i,e,t){let n=e+t,s=ff.get(i);n!=s&&(ff.set(i,n),i.style.background=e,i.style.borderColor=t)}var mf=new WeakMap;function gf(i,e,t,n){let s=e+""+t,r=mf.
+get(i);s!=r&&(mf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Fh={passive:!0},f_={...Fh,
+capture:!0};function qs(i,e,t,n){e.addEventListener(i,t,n?f_:Fh)}function Eh(i,e,t,n){e.removeEventListener(i,t,Fh)}Er&&Th();function gi(i,e,t,n){let s;t=t||0,n=
+n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Wf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
+s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var Xf=i=>i!=null,$f=i=>i!=null&&i>0,Oa=Wf(Xf),p_=Wf($f);function m_(i,e,t,n=0,s=!1){
+let r=s?p_:Oa,o=s?$f:Xf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
+a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function Ba(i,e,t,n){let s=yf(i),r=yf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Zi:qf,a=s==1?Zn:ai,l=r==1?ai:Zn,
+c=a(o(dn(i))),d=l(o(dn(e))),u=Sr(t,c),h=Sr(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=Kf(i,u),e=ka(e,h)),[i,e]}function Oh(i,e,t,n){
+let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Bh=.1,_f={mode:3,pad:Bh},Eo={pad:0,soft:null,mode:0},g_={min:Eo,max:Eo};function Ua(i,e,t,n){return za(
+t)?xf(i,e,t):(Eo.pad=t,Eo.soft=n?0:null,Eo.mode=n?3:0,xf(i,e,g_))}function Mt(i,e){return i??e}function __(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
+null)return!0;e++}return!1}function xf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
+u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Zi(f),y=Dn(dn(i),dn(e)),m=Zi(y),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
+0)));let x=f||y||1e3,w=Zi(x),b=Sr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(Kf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Dn(a,S<_&&i>=_?_:_i(_,S)),
+P=x*(f==0?e==0?.1:1:o),R=Dt(ka(e+P,b/10),24),I=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>I&&e<=I?I:Dn(I,R));return M==F&&M==0&&(F=100),[M,F]}var x_=new Intl.
+NumberFormat(Er?d_.language:"en-US"),kh=i=>x_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Dn=Jn.max,Sr=Jn.pow,yf=Jn.sign,Zi=Jn.
+log10,qf=Jn.log2,y_=(i,e=1)=>Jn.sinh(i)*e,vh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function vf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Ch(i,e,t){return _i(Dn(i,e),
+t)}function Yf(i){return typeof i=="function"}function gt(i){return Yf(i)?i:()=>i}var v_=()=>{},Zf=i=>i,Jf=(i,e)=>e,b_=i=>null,bf=i=>!0,Mf=(i,e)=>i==e,M_=/\.\d*?(?=9{6,}|0{6,})/gm,
+Ys=i=>{if(Qf(i)||bs.has(i))return i;let e="".concat(i),t=e.match(M_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+concat(Ys(s),"e").concat(r)}return Dt(i,n)};function Ws(i,e){return Ys(Dt(Ys(i/e))*e)}function ka(i,e){return Ys(ai(Ys(i/e))*e)}function Kf(i,e){return Ys(Zn(Ys(
+i/e))*e)}function Dt(i,e=0){if(Qf(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var bs=new Map;function jf(i){return((""+i).split(".")[1]||"").
+length}function Ro(i,e,t,n){let s=[],r=n.map(jf);for(let o=e;o<t;o++){let a=dn(o),l=Dt(Sr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
+o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),bs.set(h,u)}}return s}var Co={},zh=[],wr=[null,null],vs=Array.isArray,Qf=Number.isInteger,S_=i=>i===
+void 0;function Sf(i){return typeof i=="string"}function za(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function w_(i){return i!=null&&
+typeof i=="object"}var T_=Object.getPrototypeOf(Uint8Array),ep="__proto__";function Tr(i,e=za){let t;if(vs(i)){let n=i.find(s=>s!=null);if(vs(n)||e(n)){t=Array(
+i.length);for(let s=0;s<i.length;s++)t[s]=Tr(i[s],e)}else t=i.slice()}else if(i instanceof T_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=ep&&(t[n]=Tr(i[n],
+e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=ep&&(za(i[s])?on(i[s],Tr(n[s])):i[s]=Tr(n[s]))}return i}
+var A_=0,E_=1,C_=2;function R_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
+s++]=null}}}function P_(i,e){if(N_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return D_(o[0])||(o=L_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
-n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:S_,f=[];for(let m=0;m<d.length;m++){
-let y=d[m],p=r.get(l[m]);y===null?h!=b_&&(u[p]=y,h==w_&&f.push(p)):u[p]=y}T_(u,f,s),n.push(u)}}return n}var E_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
-i):queueMicrotask;function C_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
-let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function R_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
-length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function P_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
-null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Un(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
-var Kf=["January","February","March","April","May","June","July","August","September","October","November","December"],jf=["Sunday","Monday","Tuesday","Wednesda\
-y","Thursday","Friday","Saturday"];function Qf(i){return i.slice(0,3)}var I_=jf.map(Qf),L_=Kf.map(Qf),N_={MMMM:Kf,MMM:L_,WWWW:jf,WWW:I_};function Mo(i){return(i<
-10?"0":"")+i}function D_(i){return(i<10?"00":i<100?"0":"")+i}var U_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
-MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>Mo(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>Mo(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.
-getDay()],HH:i=>Mo(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?
-"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>Mo(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>Mo(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>D_(i.getMilliseconds())};
-function zh(i,e){e=e||N_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?U_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
-o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var F_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function O_(i,e){let t;return e=="UTC"||e=="Etc/UT\
-C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==F_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var ep=i=>i%
-1==0,Fa=[1,2,2.5,5],B_=Eo(10,-32,0,Fa),tp=Eo(10,0,32,Fa),k_=tp.filter(ep),Ws=B_.concat(tp),Vh="\n",np="{YYYY}",vf=Vh+np,ip="{M}/{D}",wo=Vh+ip,Ia=wo+"/{YY}",sp="\
-{aa}",z_="{h}:{mm}",vr=z_+sp,Mf=Vh+vr,bf=":{ss}",Tt=null;function rp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Eo(10,0,3,Fa).filter(ep):Eo(10,-3,
+n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:E_,f=[];for(let p=0;p<d.length;p++){
+let y=d[p],m=r.get(l[p]);y===null?h!=A_&&(u[m]=y,h==C_&&f.push(m)):u[m]=y}R_(u,f,s),n.push(u)}}return n}var I_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+i):queueMicrotask;function L_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
+let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function N_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
+length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function D_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
+null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Dn(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
+var tp=["January","February","March","April","May","June","July","August","September","October","November","December"],np=["Sunday","Monday","Tuesday","Wednesda\
+y","Thursday","Friday","Saturday"];function ip(i){return i.slice(0,3)}var U_=np.map(ip),F_=tp.map(ip),O_={MMMM:tp,MMM:F_,WWWW:np,WWW:U_};function So(i){return(i<
+10?"0":"")+i}function B_(i){return(i<10?"00":i<100?"0":"")+i}var k_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
+MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>So(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>So(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.
+getDay()],HH:i=>So(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?
+"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>So(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>So(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>B_(i.getMilliseconds())};
+function Vh(i,e){e=e||O_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?k_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
+o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var z_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function V_(i,e){let t;return e=="UTC"||e=="Etc/UT\
+C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==z_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var sp=i=>i%
+1==0,Fa=[1,2,2.5,5],G_=Ro(10,-32,0,Fa),rp=Ro(10,0,32,Fa),H_=rp.filter(sp),Xs=G_.concat(rp),Gh="\n",op="{YYYY}",wf=Gh+op,ap="{M}/{D}",Ao=Gh+ap,Ia=Ao+"/{YY}",lp="\
+{aa}",W_="{h}:{mm}",br=W_+lp,Tf=Gh+br,Af=":{ss}",Tt=null;function cp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Ro(10,0,3,Fa).filter(sp):Ro(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
-o*25,o*50,o*100]),c=[[o,np,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",vf,Tt,Tt,Tt,Tt,Tt,1],[s,ip,vf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+sp,Ia,Tt,wo,Tt,Tt,Tt,1],[t,vr,Ia,Tt,wo,Tt,
-Tt,Tt,1],[e,bf,Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1],[i,bf+".{fff}",Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1]];function d(u){return(h,f,m,y,p,g)=>{let _=[],S=p>=o,M=p>=r&&
-p<o,C=u(m),T=Dt(C*i,3),x=vh(C.getFullYear(),S?0:C.getMonth(),M||S?1:C.getDate()),b=Dt(x*i,3);if(M||S){let L=M?p/r:0,R=S?p/o:0,P=T==b?T:Dt(vh(x.getFullYear()+R,x.
-getMonth()+L,1)*i,3),F=new Date(un(P/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;P<=y;G++){let Y=vh(z+R*G,D+L*G,1),W=Y-u(Dt(Y*i,3));P=Dt((+Y+W)*i,3),P<=y&&
-_.push(P)}}else{let L=p>=s?s:p,R=Zn(m)-Zn(T),P=b+R+ka(T-b,L);_.push(P);let F=u(P),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=p/n,G=h.axes[f]._space,Y=g/
-G;for(;P=Dt(P+p,i==1?0:3),!(P>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(P).getHours()-W;Q>1&&(Q=-1),P-=Q*n,z=(z+D)%24;let se=_[_.length-1];Dt((P-se)/p,3)*Y>=.7&&_.
-push(P)}else _.push(P)}return _}}return[l,c,d]}var[V_,G_,H_]=rp(1),[W_,X_,q_]=rp(.001);Eo(2,-53,53,[1]);function Sf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function wf(i,e){return(t,n,s,r,o)=>{let a=e.find(m=>o>=m[0])||e[e.length-1],l,c,d,u,h,f;return n.map(m=>{let y=i(m),p=y.getFullYear(),
-g=y.getMonth(),_=y.getDate(),S=y.getHours(),M=y.getMinutes(),C=y.getSeconds(),T=p!=l&&a[2]||g!=c&&a[3]||_!=d&&a[4]||S!=u&&a[5]||M!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-p,c=g,d=_,u=S,h=M,f=C,T(y)})}}function $_(i,e){let t=zh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function vh(i,e,t){return new Date(i,e,t)}function Tf(i,e){return e(
-i)}var Y_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Af(i,e){return(t,n,s,r)=>r==null?Dh:e(i(n))}function Z_(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
-points.width?t.points.stroke(i,e):null}function J_(i,e){return i.series[e].fill(i,e)}var K_={show:!0,live:!0,isolate:!1,mount:g_,markers:{show:!0,width:2,stroke:Z_,
-fill:J_,dash:"solid"},idx:null,idxs:null,values:[]};function j_(i,e){let t=i.cursor.points,n=ri(),s=t.size(i,e);zt(n,bo,s),zt(n,So,s);let r=s/-2;zt(n,"marginLef\
-t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function Q_(i,e){let t=i.series[e].points;return t._fill||t._stroke}function ex(i,e){
-let t=i.series[e].points;return t._stroke||t._fill}function tx(i,e){return i.series[e].points.size}var Mh=[0,0];function nx(i,e,t){return Mh[0]=e,Mh[1]=t,Mh}function La(i,e,t,n=!0){
-return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function bh(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var ix={show:!0,x:!0,y:!0,lock:!1,move:nx,points:{one:!1,
-show:j_,size:tx,width:0,stroke:ex,fill:Q_},bind:{mousedown:La,mouseup:La,click:La,dblclick:La,mousemove:bh,mouseleave:bh,mouseenter:bh},drag:{setScale:!0,x:!0,y:!1,
+o*25,o*50,o*100]),c=[[o,op,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",wf,Tt,Tt,Tt,Tt,Tt,1],[s,ap,wf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+lp,Ia,Tt,Ao,Tt,Tt,Tt,1],[t,br,Ia,Tt,Ao,Tt,
+Tt,Tt,1],[e,Af,Ia+" "+br,Tt,Ao+" "+br,Tt,Tf,Tt,1],[i,Af+".{fff}",Ia+" "+br,Tt,Ao+" "+br,Tt,Tf,Tt,1]];function d(u){return(h,f,p,y,m,g)=>{let x=[],w=m>=o,b=m>=r&&
+m<o,C=u(p),S=Dt(C*i,3),_=bh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let P=b?m/r:0,R=w?m/o:0,I=S==M?S:Dt(bh(_.getFullYear()+R,_.
+getMonth()+P,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=bh(z+R*G,D+P*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
+x.push(I)}}else{let P=m>=s?s:m,R=Zn(p)-Zn(S),I=M+R+ka(S-M,P);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
+G;for(;I=Dt(I+m,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/m,3)*Y>=.7&&x.
+push(I)}else x.push(I)}return x}}return[l,c,d]}var[X_,$_,q_]=cp(1),[Y_,Z_,J_]=cp(.001);Ro(2,-53,53,[1]);function Ef(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Cf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),m=y.getFullYear(),
+g=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=m!=l&&a[2]||g!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+m,c=g,d=x,u=w,h=b,f=C,S(y)})}}function K_(i,e){let t=Vh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function bh(i,e,t){return new Date(i,e,t)}function Rf(i,e){return e(
+i)}var j_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Pf(i,e){return(t,n,s,r)=>r==null?Uh:e(i(n))}function Q_(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
+points.width?t.points.stroke(i,e):null}function ex(i,e){return i.series[e].fill(i,e)}var tx={show:!0,live:!0,isolate:!1,mount:v_,markers:{show:!0,width:2,stroke:Q_,
+fill:ex,dash:"solid"},idx:null,idxs:null,values:[]};function nx(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,wo,s),zt(n,To,s);let r=s/-2;zt(n,"marginLef\
+t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function ix(i,e){let t=i.series[e].points;return t._fill||t._stroke}function sx(i,e){
+let t=i.series[e].points;return t._stroke||t._fill}function rx(i,e){return i.series[e].points.size}var Mh=[0,0];function ox(i,e,t){return Mh[0]=e,Mh[1]=t,Mh}function La(i,e,t,n=!0){
+return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Sh(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var ax={show:!0,x:!0,y:!0,lock:!1,move:ox,points:{one:!1,
+show:nx,size:rx,width:0,stroke:sx,fill:ix},bind:{mousedown:La,mouseup:La,click:La,dblclick:La,mousemove:Sh,mouseleave:Sh,mouseenter:Sh},drag:{setScale:!0,x:!0,y:!1,
 dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,
-bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},op={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Gh=on({},op,{filter:qf}),ap=on({},Gh,{size:10}),
-lp=on({},op,{show:!1}),Hh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
-moji", "Segoe UI Symbol", "Noto Color Emoji"',cp="bold "+Hh,hp=1.5,Ef={show:!0,scale:"x",stroke:Nh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:cp,
-side:2,grid:Gh,ticks:ap,border:lp,font:Hh,lineGap:hp,rotate:0},sx="Value",rx="Time",Cf={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function ox(i,e,t,n,s){
-return e.map(r=>r==null?"":Bh(r))}function ax(i,e,t,n,s,r,o){let a=[],l=vs.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
-return a}function Ch(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Zi:Hf,d=Zn(c(t));s=br(l,d),l==10&&(s=Ws[gi(s,Ws)]);let u=t,h=s*l;l==10&&(h=
-Ws[gi(h,Ws)]);do a.push(u),u=u+s,l==10&&!vs.has(u)&&(u=Dt(u,vs.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=Ws[gi(h,Ws)]));while(u<=n);return a}function lx(i,e,t,n,s,r,o){
-let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ch(i,e,Un(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ch(i,e,Un(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
-var up=/./,cx=/[12357]/,hx=/[125]/,Rf=/1/,Rh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function ux(i,e,t,n,s){let r=i.
-axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?up:l(7,o)-d>=c?cx:l(5,o)-d>=c?hx:Rf;if(u==Rf){let h=dn(l(1,o)-d);if(h<c)return Rh(
-e.slice().reverse(),a.distr,u,oi(c/h)).reverse()}return Rh(e,a.distr,u,1)}function dx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
-2,o));return c<a?Rh(e.slice().reverse(),3,up,oi(a/c)).reverse():e}function fx(i,e,t,n){return n==null?Dh:e==null?"":Bh(e)}var Pf={show:!0,scale:"y",stroke:Nh,space:30,
-gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:cp,side:3,grid:Gh,ticks:ap,border:lp,font:Hh,lineGap:hp,rotate:0};function px(i,e){let t=3+(i||1)*2;return Dt(
-t*e,3)}function mx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
-space*wt);return n[1]-n[0]<=c}var If={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},dp=(i,e,t,n,s)=>s,Lf={show:!0,auto:!0,sorted:0,gaps:dp,alpha:1,facets:[on({},If,
-{scale:"x"}),on({},If,{scale:"y"})]},Nf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:dp,alpha:1,points:{show:mx,filter:null},values:null,min:Nt,max:-Nt,
-idxs:[],path:null,clip:null};function gx(i,e,t,n,s){return t/10}var fp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},_x=on({},fp,{time:!1,
-ori:1}),Df={};function pp(i,e){let t=Df[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
-t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(Df[i]=t)),t}var Tr=1,Ph=2;function Ys(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
-i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,m=a.
-width,y=a.height,p=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,p,g,h,f,m,y,Ga,Er,Wa,gp,xp):t(s,l,c,d,u,g,p,f,h,y,m,Ha,Cr,qh,_p,yp)}function Wh(i,e){let t=0,
-n=0,s=bt(i.bands,kh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function xx(i,e,t,n,s){
+bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},hp={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Hh=on({},hp,{filter:Jf}),up=on({},Hh,{size:10}),
+dp=on({},hp,{show:!1}),Wh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
+moji", "Segoe UI Symbol", "Noto Color Emoji"',fp="bold "+Wh,pp=1.5,If={show:!0,scale:"x",stroke:Dh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:fp,
+side:2,grid:Hh,ticks:up,border:dp,font:Wh,lineGap:pp,rotate:0},lx="Value",cx="Time",Lf={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function hx(i,e,t,n,s){
+return e.map(r=>r==null?"":kh(r))}function ux(i,e,t,n,s,r,o){let a=[],l=bs.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
+return a}function Rh(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Zi:qf,d=Zn(c(t));s=Sr(l,d),l==10&&(s=Xs[gi(s,Xs)]);let u=t,h=s*l;l==10&&(h=
+Xs[gi(h,Xs)]);do a.push(u),u=u+s,l==10&&!bs.has(u)&&(u=Dt(u,bs.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=Xs[gi(h,Xs)]));while(u<=n);return a}function dx(i,e,t,n,s,r,o){
+let l=i.scales[i.axes[e].scale].asinh,c=n>l?Rh(i,e,Dn(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Rh(i,e,Dn(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
+var mp=/./,fx=/[12357]/,px=/[125]/,Nf=/1/,Ph=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function mx(i,e,t,n,s){let r=i.
+axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?mp:l(7,o)-d>=c?fx:l(5,o)-d>=c?px:Nf;if(u==Nf){let h=dn(l(1,o)-d);if(h<c)return Ph(
+e.slice().reverse(),a.distr,u,ai(c/h)).reverse()}return Ph(e,a.distr,u,1)}function gx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
+2,o));return c<a?Ph(e.slice().reverse(),3,mp,ai(a/c)).reverse():e}function _x(i,e,t,n){return n==null?Uh:e==null?"":kh(e)}var Df={show:!0,scale:"y",stroke:Dh,space:30,
+gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:fp,side:3,grid:Hh,ticks:up,border:dp,font:Wh,lineGap:pp,rotate:0};function xx(i,e){let t=3+(i||1)*2;return Dt(
+t*e,3)}function yx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
+space*wt);return n[1]-n[0]<=c}var Uf={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},gp=(i,e,t,n,s)=>s,Ff={show:!0,auto:!0,sorted:0,gaps:gp,alpha:1,facets:[on({},Uf,
+{scale:"x"}),on({},Uf,{scale:"y"})]},Of={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:gp,alpha:1,points:{show:yx,filter:null},values:null,min:Nt,max:-Nt,
+idxs:[],path:null,clip:null};function vx(i,e,t,n,s){return t/10}var _p={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},bx=on({},_p,{time:!1,
+ori:1}),Bf={};function xp(i,e){let t=Bf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
+t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(Bf[i]=t)),t}var Ar=1,Ih=2;function Zs(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
+i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
+width,y=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,y,Ga,Cr,Wa,vp,Mp):t(s,l,c,d,u,g,m,f,h,y,p,Ha,Rr,qh,bp,Sp)}function Xh(i,e){let t=0,
+n=0,s=Mt(i.bands,zh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Mx(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ji(i,e,t,n,s,r){
-return Ys(i,e,(o,a,l,c,d,u,h,f,m,y,p)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),S=c.ori==0?Er:Cr,M,C;_==1?(M=t,C=n):(M=n,C=t);let T=g(u(a[M],c,y,f)),x=g(h(l[M],
-d,p,m)),b=g(u(a[C],c,y,f)),L=g(h(r==1?d.max:d.min,d,p,m)),R=new Path2D(s);return S(R,b,L),S(R,T,L),S(R,T,x),R})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Zs(i,e,(o,a,l,c,d,u,h,f,p,y,m)=>{let g=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Cr:Rr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=g(u(a[b],c,y,f)),_=g(h(l[b],
+d,m,p)),M=g(u(a[C],c,y,f)),P=g(h(r==1?d.max:d.min,d,m,p)),R=new Path2D(s);return w(R,M,P),w(R,S,P),w(R,S,_),R})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:qh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
-d/2,c,n+r+d)}return o}function yx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Xh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
-t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),m=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
-0&&y<l?r(i[y]):f;let g=h+s;m=o>=0&&g>=0&&g<l?r(i[g]):m,m>=f&&a.push([f,m])}return a}function Uf(i){return i==0?Xf:i==1?un:e=>Hs(e,i)}function mp(i){let e=i==0?Ga:
+d/2,c,n+r+d)}return o}function Sx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function $h(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
+t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
+0&&y<l?r(i[y]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function kf(i){return i==0?Zf:i==1?un:e=>Ws(e,i)}function yp(i){let e=i==0?Ga:
 Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
-var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Er=(i,e,t)=>{i.lineTo(e,t)},Cr=(i,e,t)=>{i.lineTo(t,e)},Wa=mp(0),qh=mp(1),gp=(i,e,t,n,s,r)=>{i.arc(e,
-t,n,s,r)},_p=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},xp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},yp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function vp(i){
-return(e,t,n,s,r)=>Ys(e,t,(o,a,l,c,d,u,h,f,m,y,p)=>{let{pxRound:g,points:_}=o,S,M;c.ori==0?(S=Ga,M=gp):(S=Ha,M=_p);let C=Dt(_.width*wt,3),T=(_.size-_.width)/2*wt,
-x=Dt(T*2,3),b=new Path2D,L=new Path2D,{left:R,top:P,width:F,height:z}=e.bbox;Wa(L,R-x,P-x,F+x*2,z+x*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
-d,p,m));S(b,Y+T,W),M(b,Y,W,T,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?b:null,fill:b,clip:L,flags:Tr|Ph}})}function Mp(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var vx=Mp(Er),Mx=Mp(Cr);function bp(i){let e=bt(i?.alignGaps,0);return(t,n,s,r)=>Ys(t,n,(o,a,l,c,d,u,h,f,m,y,p)=>{
-[s,r]=Oa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,y,f)),S=z=>g(h(z,d,p,m)),M,C;c.ori==0?(M=Er,C=vx):(M=Cr,C=Mx);let T=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:Tr},b=x.stroke,L=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=_(a[T==1?s:r]),Q=_(a[s]),se=_(a[r]),
-de=z(T==1?Q+1:se-1);for(let ue=T==1?s:r;ue>=s&&ue<=r;ue+=T){let ee=a[ue],xe=(T==1?ee<de:ee>de)?K:_(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(M(b,xe,S(W)),Y=D=G=
-W):W<D?D=W:W>G&&(G=W)):Ee===null&&(L=!0):(D!=null&&C(b,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,M(b,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(L=!0)),K=xe,de=z(K+T))}
-D!=null&&D!=G&&ce!=K&&C(b,K,S(D),S(G),S(Y),S(W))}else for(let z=T==1?s:r;z>=s&&z<=r;z+=T){let D=l[z];D===null?L=!0:D!=null&&M(b,_(a[z]),S(D))}let[P,F]=Wh(t,n);if(o.
-fill!=null||P!=0){let z=x.fill=new Path2D(b),D=o.fillTo(t,n,o.min,o.max,P),G=S(D),Y=_(a[s]),W=_(a[r]);T==-1&&([W,Y]=[Y,W]),M(z,W,G),M(z,Y,G)}if(!o.spanGaps){let z=[];
-L&&z.push(...Xh(a,l,s,r,T,_,e)),x.gaps=z=o.gaps(t,n,s,r,z),x.clip=Va(z,c.ori,f,m,y,p)}return F!=0&&(x.band=F==2?[Ji(t,n,s,r,b,-1),Ji(t,n,s,r,b,1)]:Ji(t,n,s,r,b,
-F)),x})}function bx(i){let e=bt(i.align,1),t=bt(i.ascDesc,!1),n=bt(i.alignGaps,0),s=bt(i.extend,!1);return(r,o,a,l)=>Ys(r,o,(c,d,u,h,f,m,y,p,g,_,S)=>{[a,l]=Oa(u,
-a,l);let M=c.pxRound,{left:C,width:T}=r.bbox,x=Q=>M(m(Q,h,_,p)),b=Q=>M(y(Q,f,S,g)),L=h.ori==0?Er:Cr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
-flags:Tr},P=R.stroke,F=h.dir*(h.ori==0?1:-1),z=b(u[F==1?a:l]),D=x(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,L(P,Y,z)),L(P,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
-if(se==null)continue;let de=x(d[Q]),ue=b(se);e==1?L(P,de,z):L(P,G,ue),L(P,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+T,L(P,W,z));let[ce,K]=Wh(r,o);if(c.fill!=null||
-ce!=0){let Q=R.fill=new Path2D(P),se=c.fillTo(r,o,c.min,c.max,ce),de=b(se);L(Q,W,de),L(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Xh(d,u,a,l,F,x,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=Va(Q,h.ori,p,g,_,S)}return K!=0&&(R.band=K==2?[
-Ji(r,o,a,l,P,-1),Ji(r,o,a,l,P,1)]:Ji(r,o,a,l,P,K)),R})}function Ff(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
-if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Sx(i){i=i||Ao;let e=bt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=bt(e[1],Nt),l=bt(e[2],1),c=bt(i.disp,Ao),d=bt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,m,y,p)=>Ys(
-f,m,(g,_,S,M,C,T,x,b,L,R,P)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;M.ori==0?[W,ce]=r(f,m):[ce,W]=r(f,m);let K=M.dir*(M.ori==0?1:-1),Q=M.ori==0?Wa:qh,se=M.
-ori==0?d:(Re,qe,it,Se,Lt,ze,Xe)=>{d(Re,qe,it,Lt,Se,Xe,ze)},de=bt(f.bands,kh).find(Re=>Re.series[0]==m),ue=de!=null?de.dir:0,ee=g.fillTo(f,m,g.min,g.max,ue),me=F(
-x(ee,C,P,L)),xe,Ee,be,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,m,y,p),lt=new Map,new Set(ut).
-forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,m,y,p),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,_=Ut.values(f,m,y,p),Ut.unit==2&&(_=_.map(it=>f.posToVal(b+it*R,M.key,!0)));let Re=Qt.values(f,m,y,p);Qt.unit==2?Ee=Re[0]*R:Ee=T(Re[0],
-M,R,b)-T(0,M,R,b),He=Ff(_,S,T,M,R,b,He),be=He-Ee+D}else He=Ff(_,S,T,M,R,b,He),be=He*o+D,Ee=He-be;be<1&&(be=0),nt>=Ee/2&&(nt=0),be<5&&(F=Xf);let Pt=be>0,gn=He-be-
-(Pt?nt:0);Ee=F(Eh(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,qt=null;if(de!=null)qt=f.data[de.series[1]];else{let{y0:Re,y1:qe}=c;Re!=null&&qe!=null&&(S=qe.values(f,m,y,p),qt=Re.values(f,m,y,p))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:p;Re>=y&&Re<=p;Re+=K){let qe=S[Re];if(qe==null)continue;if(qt!=null){let q=qt[Re]??0;if(qe-q==0)continue;me=x(q,C,P,L)}let it=M.distr!=2||c!=
-null?_[Re]:Re,Se=T(it,M,R,b),Lt=x(bt(qe,ee),C,P,L),ze=F(Se-xe),Xe=F(Un(Lt,me)),I=F(_i(Lt,me)),w=Xe-I;if(qe!=null){let q=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
-null&&Q(Gt.get(et[Re]),ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he)):Q(cn,ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he),
-se(f,m,Re,ze-nt/2,I,Ee+nt,w)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function wx(i,e){
-let t=bt(e?.alignGaps,0);return(n,s,r,o)=>Ys(n,s,(a,l,c,d,u,h,f,m,y,p,g)=>{[r,o]=Oa(c,r,o);let _=a.pxRound,S=W=>_(h(W,d,p,m)),M=W=>_(f(W,u,g,y)),C,T,x;d.ori==0?
-(C=Ga,x=Er,T=xp):(C=Ha,x=Cr,T=yp);let b=d.dir*(d.ori==0?1:-1),L=S(l[b==1?r:o]),R=L,P=[],F=[];for(let W=b==1?r:o;W>=r&&W<=o;W+=b)if(c[W]!=null){let K=l[W],Q=S(K);
-P.push(R=Q),F.push(M(c[W]))}let z={stroke:i(P,F,C,x,T,_),fill:null,clip:null,band:null,gaps:null,flags:Tr},D=z.stroke,[G,Y]=Wh(n,s);if(a.fill!=null||G!=0){let W=z.
-fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=M(ce);x(W,R,K),x(W,L,K)}if(!a.spanGaps){let W=[];W.push(...Xh(l,c,r,o,b,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Va(W,d.ori,m,y,p,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Tx(i){return wx(Ax,i)}function Ax(i,e,t,n,s,r){let o=i.
+var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Cr=(i,e,t)=>{i.lineTo(e,t)},Rr=(i,e,t)=>{i.lineTo(t,e)},Wa=yp(0),qh=yp(1),vp=(i,e,t,n,s,r)=>{i.arc(e,
+t,n,s,r)},bp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},Mp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Sp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function wp(i){
+return(e,t,n,s,r)=>Zs(e,t,(o,a,l,c,d,u,h,f,p,y,m)=>{let{pxRound:g,points:x}=o,w,b;c.ori==0?(w=Ga,b=vp):(w=Ha,b=bp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
+_=Dt(S*2,3),M=new Path2D,P=new Path2D,{left:R,top:I,width:F,height:z}=e.bbox;Wa(P,R-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
+d,m,p));w(M,Y+S,W),b(M,Y,W,S,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:P,flags:Ar|Ih}})}function Tp(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var wx=Tp(Cr),Tx=Tp(Rr);function Ap(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Zs(t,n,(o,a,l,c,d,u,h,f,p,y,m)=>{
+[s,r]=Oa(l,s,r);let g=o.pxRound,x=z=>g(u(z,c,y,f)),w=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Cr,C=wx):(b=Rr,C=Tx);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Ar},M=_.stroke,P=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[S==1?s:r]),Q=x(a[s]),se=x(a[r]),
+de=z(S==1?Q+1:se-1);for(let ue=S==1?s:r;ue>=s&&ue<=r;ue+=S){let ee=a[ue],xe=(S==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,w(W)),Y=D=G=
+W):W<D?D=W:W>G&&(G=W)):Ee===null&&(P=!0):(D!=null&&C(M,K,w(D),w(G),w(Y),w(W)),Ee!=null?(W=Ee,b(M,xe,w(W)),D=G=Y=W):(D=G=null,Ee===null&&(P=!0)),K=xe,de=z(K+S))}
+D!=null&&D!=G&&ce!=K&&C(M,K,w(D),w(G),w(Y),w(W))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?P=!0:D!=null&&b(M,x(a[z]),w(D))}let[I,F]=Xh(t,n);if(o.
+fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=w(D),Y=x(a[s]),W=x(a[r]);S==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
+P&&z.push(...$h(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,m)}return F!=0&&(_.band=F==2?[Ji(t,n,s,r,M,-1),Ji(t,n,s,r,M,1)]:Ji(t,n,s,r,M,
+F)),_})}function Ax(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Zs(r,o,(c,d,u,h,f,p,y,m,g,x,w)=>{[a,l]=Oa(u,
+a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,m)),M=Q=>b(y(Q,f,w,g)),P=h.ori==0?Cr:Rr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+flags:Ar},I=R.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,P(I,Y,z)),P(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
+if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?P(I,de,z):P(I,G,ue),P(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+S,P(I,W,z));let[ce,K]=Xh(r,o);if(c.fill!=null||
+ce!=0){let Q=R.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);P(Q,W,de),P(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...$h(d,u,a,l,F,_,n));let se=c.width*
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=Va(Q,h.ori,m,g,x,w)}return K!=0&&(R.band=K==2?[
+Ji(r,o,a,l,I,-1),Ji(r,o,a,l,I,1)]:Ji(r,o,a,l,I,K)),R})}function zf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
+if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Ex(i){i=i||Co;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Co),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,m)=>Zs(
+f,p,(g,x,w,b,C,S,_,M,P,R,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:qh,se=b.
+ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,zh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
+_(ee,C,I,P)),xe,Ee,Me,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,m),lt=new Map,new Set(ut).
+forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
+if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,m),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*R,b.key,!0)));let Re=Qt.values(f,p,y,m);Qt.unit==2?Ee=Re[0]*R:Ee=S(Re[0],
+b,R,M)-S(0,b,R,M),He=zf(x,w,S,b,R,M,He),Me=He-Ee+D}else He=zf(x,w,S,b,R,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Zf);let Pt=Me>0,gn=He-Me-
+(Pt?nt:0);Ee=F(Ch(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
+new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,m),$t=Re.values(f,p,y,m))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?y:m;Re>=y&&Re<=m;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,P)}let it=b.distr!=2||c!=
+null?x[Re]:Re,Se=S(it,b,R,M),Lt=_(Mt($e,ee),C,I,P),ze=F(Se-xe),Xe=F(Dn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
+null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Dn(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Dn(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Dn(0,T-nt),$,he),
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Cx(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Zs(n,s,(a,l,c,d,u,h,f,p,y,m,g)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,m,p)),b=W=>x(f(W,u,g,y)),C,S,_;d.ori==0?
+(C=Ga,_=Cr,S=Mp):(C=Ha,_=Rr,S=Sp);let M=d.dir*(d.ori==0?1:-1),P=w(l[M==1?r:o]),R=P,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=w(K);
+I.push(R=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,S,x),fill:null,clip:null,band:null,gaps:null,flags:Ar},D=z.stroke,[G,Y]=Xh(n,s);if(a.fill!=null||G!=0){let W=z.
+fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,R,K),_(W,P,K)}if(!a.spanGaps){let W=[];W.push(...$h(l,c,r,o,M,w,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
+Va(W,d.ori,p,y,m,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Rx(i){return Cx(Px,i)}function Px(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
-3,i[h+1],e[h+1])}return a}var Ih=new Set;function Of(){for(let i of Ih)i.syncRect(!0)}Ar&&(qs(o_,Mr,Of),qs(a_,Mr,Of,!0),qs(Da,Mr,()=>{fn.pxRatio=wt}));var Ex=bp(),
-Cx=vp();function Bf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Lh(r,o,e,t))}function Rx(i,e){return i.map((t,n)=>n==
-0?{}:on({},e,t))}function Lh(i,e,t,n){return on({},e==0?t:n,i)}function Sp(i,e,t){return e==null?Sr:[e,t]}var Px=Sp;function Ix(i,e,t){return e==null?Sr:Ua(e,t,
-Oh,!0)}function wp(i,e,t,n){return e==null?Sr:Ba(e,t,i.scales[n].log,!1)}var Lx=wp;function Tp(i,e,t,n){return e==null?Sr:Fh(e,t,i.scales[n].log,!1)}var Nx=Tp;function Dx(i,e,t,n,s){
-let r=Un(gf(i),gf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?vs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function kf(i){let e,
-t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Ux(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
-/[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:bt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
+3,i[h+1],e[h+1])}return a}var Lh=new Set;function Vf(){for(let i of Lh)i.syncRect(!0)}Er&&(qs(h_,Mr,Vf),qs(u_,Mr,Vf,!0),qs(Da,Mr,()=>{fn.pxRatio=wt}));var Ix=Ap(),
+Lx=wp();function Gf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Nh(r,o,e,t))}function Nx(i,e){return i.map((t,n)=>n==
+0?{}:on({},e,t))}function Nh(i,e,t,n){return on({},e==0?t:n,i)}function Ep(i,e,t){return e==null?wr:[e,t]}var Dx=Ep;function Ux(i,e,t){return e==null?wr:Ua(e,t,
+Bh,!0)}function Cp(i,e,t,n){return e==null?wr:Ba(e,t,i.scales[n].log,!1)}var Fx=Cp;function Rp(i,e,t,n){return e==null?wr:Oh(e,t,i.scales[n].log,!1)}var Ox=Rp;function Bx(i,e,t,n,s){
+let r=Dn(vf(i),vf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?bs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Hf(i){let e,
+t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function kx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
+/[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=ri(G0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=ri(X0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=ri(q0,c);qs("\
-click",h,v=>{v.target===m&&(Ot!=pr||Ht!=mr)&&Sn.click(n,v)},!0);let f=n.under=ri($0,h);h.appendChild(d);let m=n.over=ri(Y0,h);i=wr(i);let y=+bt(i.pxAlign,1),p=Uf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,_=n.series=s==1?Bf(i.series||[],Cf,Nf,!1):Rx(i.series||[null],Lf),S=n.axes=Bf(i.axes||
-[],Ef,Pf,!0),M=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=bt(v.dir,-1)});let T=s==2?_[1].facets[0].scale:_[0].scale,x={axes:$i,
-series:ft},b=(i.drawOrder||["axes","series"]).map(v=>x[v]);function L(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>yh(N,v.asinh):
-v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function R(v){let A=M[v];if(A==null){let N=(i.scales||Ao)[v]||Ao;if(N.
-from!=null){R(N.from);let U=on({},M[N.from],N,{key:v});U.valToPct=L(U),M[v]=U}else{A=M[v]=on({},v==T?fp:_x,N),A.key=v;let U=A.time,H=A.range,J=ys(H);if((v!=T||s==
-2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?ff:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?ff:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
-H=(fe,ve,Ne)=>ve==null?Sr:Ua(ve,Ne,ae)}A.range=gt(H||(U?Px:v==T?A.distr==3?Lx:A.distr==4?Nx:Sp:A.distr==3?wp:A.distr==4?Tp:Ix)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||gx),A._min=A._max=null,A.valToPct=L(A)}}}R("x"),R("y"),s==1&&_.forEach(v=>{R(v.scale)}),S.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let P=M[T],
-F=P.distr,z,D;P.ori==0?(Yn(c,H0),z=r,D=o):(Yn(c,W0),z=o,D=r);let G={};for(let v in M){let A=M[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||zh,ce=g==1?H_(Y):q_(Y),K=wf(Y,Sf(g==1?G_:X_,W)),Q=Af(Y,Tf(Y_,W)),se=[],de=n.legend=on({},K_,i.legend),
-ue=n.cursor=on({},ix,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
-xe.fill=gt(xe.fill);let Ee,be,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=_[1]?_[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Dh}if(ee)
-if(Ee=mi("table",e_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){be=mi("thead",null,Ee,He);let v=mi("tr",null,be);mi("th",null,v);for(var Gt in ut)mi("th",Qd,v).
-textContent=Gt}else Yn(Ee,n_),de.live&&Yn(Ee,t_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Sr;let N=[],U=mi("tr",i_,He,
-He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,Xs);let H=mi("th",null,U);if(xe.show){let fe=ri(s_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
-dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=ri(Qd,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
-(xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=_.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
-isolate){let Ne=_.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);_.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
-!1),Je&&vt(sf,H,fe=>{ue._lock||(Ze(fe),Ri(_.indexOf(v),_r,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",r_,U);fe.textContent="--",N.push(fe)}return[U,
+root=oi($0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(Z0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(J0,c);qs("\
+click",h,v=>{v.target===p&&(Ot!=mr||Ht!=gr)&&Sn.click(n,v)},!0);let f=n.under=oi(K0,h);h.appendChild(d);let p=n.over=oi(j0,h);i=Tr(i);let y=+Mt(i.pxAlign,1),m=kf(
+y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,x=n.series=s==1?Gf(i.series||[],Lf,Of,!1):Nx(i.series||[null],Ff),w=n.axes=Gf(i.axes||
+[],If,Df,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let S=s==2?x[1].facets[0].scale:x[0].scale,_={axes:qi,
+series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function P(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>vh(N,v.asinh):
+v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function R(v){let A=b[v];if(A==null){let N=(i.scales||Co)[v]||Co;if(N.
+from!=null){R(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=P(U),b[v]=U}else{A=b[v]=on({},v==S?_p:bx,N),A.key=v;let U=A.time,H=A.range,J=vs(H);if((v!=S||s==
+2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?_f:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?_f:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
+H=(fe,ve,Ne)=>ve==null?wr:Ua(ve,Ne,ae)}A.range=gt(H||(U?Dx:v==S?A.distr==3?Fx:A.distr==4?Ox:Ep:A.distr==3?Cp:A.distr==4?Rp:Ux)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+A.clamp||vx),A._min=A._max=null,A.valToPct=P(A)}}}R("x"),R("y"),s==1&&x.forEach(v=>{R(v.scale)}),w.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let I=b[S],
+F=I.distr,z,D;I.ori==0?(Yn(c,q0),z=r,D=o):(Yn(c,Y0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Vh,ce=g==1?q_(Y):J_(Y),K=Cf(Y,Ef(g==1?$_:Z_,W)),Q=Pf(Y,Rf(j_,W)),se=[],de=n.legend=on({},tx,i.legend),
+ue=n.cursor=on({},ax,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
+xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Uh}if(ee)
+if(Ee=mi("table",s_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",sf,v).
+textContent=Gt}else Yn(Ee,o_),de.live&&Yn(Ee,r_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return wr;let N=[],U=mi("tr",a_,He,
+He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,$s);let H=mi("th",null,U);if(xe.show){let fe=oi(l_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=oi(sf,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
+(xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=x.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
+isolate){let Ne=x.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);x.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
+!1),Je&&vt(lf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),xr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",c_,U);fe.textContent="--",N.push(fe)}return[U,
 N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(qs(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
-(v==null||H==v)&&(Ah(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let qt=0,en=0,B=0,Re=0,qe=0,it=0,Se=qe,Lt=it,ze=B,Xe=Re,I=0,w=0,q=0,he=0;n.bbox={};let oe=!1,_e=!1,
-ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=qt=B=v,n.height=en=Re=A,qe=it=0,
-Me(),Ge();let N=n.bbox;I=N.left=Hs(qe*wt,.5),w=N.top=Hs(it*wt,.5),q=N.width=Hs(B*wt,.5),he=N.height=Hs(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
-let N=ur(A),U=Ci(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function Me(){let v=!1,A=!1,N=!1,U=!1;S.forEach(
-(H,J)=>{if(H.show&&H._show){let{side:ae,_size:fe}=H,ve=ae%2,Ne=H.label!=null?H.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?(qe+=De,U=!0):N=!0):(Re-=De,ae==0?(it+=
-De,v=!0):A=!0))}}),Ai[0]=v,Ai[1]=N,Ai[2]=A,Ai[3]=U,B-=di[1]+di[3],qe+=di[3],Re-=di[2]+di[0],it+=di[0]}function Ge(){let v=qe+B,A=it+Re,N=qe,U=it;function H(J,ae){
-switch(J){case 1:return v+=ae,v-ae;case 2:return A+=ae,A-ae;case 3:return N-=ae,N+ae;case 0:return U-=ae,U+ae}}S.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
+(v==null||H==v)&&(Eh(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
+ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=$t=B=v,n.height=en=Re=A,$e=it=0,
+be(),Ge();let N=n.bbox;L=N.left=Ws($e*wt,.5),T=N.top=Ws(it*wt,.5),$=N.width=Ws(B*wt,.5),he=N.height=Ws(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
+let N=dr(A),U=Ci(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function be(){let v=!1,A=!1,N=!1,U=!1;w.forEach(
+(H,J)=>{if(H.show&&H._show){let{side:ae,_size:fe}=H,ve=ae%2,Ne=H.label!=null?H.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?($e+=De,U=!0):N=!0):(Re-=De,ae==0?(it+=
+De,v=!0):A=!0))}}),Ai[0]=v,Ai[1]=N,Ai[2]=A,Ai[3]=U,B-=di[1]+di[3],$e+=di[3],Re-=di[2]+di[0],it+=di[0]}function Ge(){let v=$e+B,A=it+Re,N=$e,U=it;function H(J,ae){
+switch(J){case 1:return v+=ae,v-ae;case 2:return A+=ae,A-ae;case 3:return N-=ae,N+ae;case 0:return U-=ae,U+ae}}w.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
 J._pos=H(fe,J._size),J.label!=null&&(J._lpos=H(fe,J.labelSize))}})}if(ue.dataIdx==null){let v=ue.hover,A=v.skip=new Set(v.skip??[]);A.add(void 0);let N=v.prox=gt(
-v.prox),U=v.bias??=0;ue.dataIdx=(H,J,ae,fe)=>{if(J==0)return ae;let ve=ae,Ne=N(H,J,ae,fe)??Nt,De=Ne>=0&&Ne<Nt,Fe=P.ori==0?B:Re,tt=ue.left,St=e[0],Mt=e[J];if(A.has(
-Mt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- >0;)A.has(Mt[We])||(pt=We);if(U==0||U==1)for(We=ae;Ye==null&&We++<Mt.length;)A.has(
-Mt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],P,Fe,0),Zt=Ye==null?1/0:z(St[Ye],P,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
-Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],P,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
+v.prox),U=v.bias??=0;ue.dataIdx=(H,J,ae,fe)=>{if(J==0)return ae;let ve=ae,Ne=N(H,J,ae,fe)??Nt,De=Ne>=0&&Ne<Nt,Fe=I.ori==0?B:Re,tt=ue.left,St=e[0],bt=e[J];if(A.has(
+bt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- >0;)A.has(bt[We])||(pt=We);if(U==0||U==1)for(We=ae;Ye==null&&We++<bt.length;)A.has(
+bt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],I,Fe,0),Zt=Ye==null?1/0:z(St[Ye],I,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
+Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
-ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function fo(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,Q0),Yn(N,v.class),Ni(N,-10,-10,
-B,Re),m.insertBefore(N,ot[A]),N}function lr(v,A){if(s==1||A>0){let N=s==1&&M[v.scale].time,U=v.value;v.value=N?yf(U)?Af(Y,Tf(U,W)):U||Q:U||fx,v.label=v.label||(N?
-rx:sx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Ex||__,v.fillTo=gt(v.fillTo||xx),v.pxAlign=+bt(v.pxAlign,y),v.pxRound=Uf(v.pxAlign),v.stroke=
-gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=px(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
-stroke,space:N*2,paths:Cx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
-U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=fo(v,A)):
-A>0&&(N=fo(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function oh(v,A){A=A??_.length,v=s==1?Lh(v,A,Cf,Nf):Lh(v,A,{},Lf),_.splice(
-A,0,v),lr(_[A],A)}n.addSeries=oh;function Aa(v){if(_.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
-me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
-v.show,v.show){let N=v.side%2,U=M[v.scale];U==null&&(v.scale=N?_[1].scale:T,U=M[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-ys(v.incrs)&&v.incrs.forEach(ae=>{!vs.has(ae)&&vs.set(ae,Yf(ae))}),v.incrs=gt(v.incrs||(U.distr==2?k_:H?g==1?V_:W_:Ws)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
-U.distr==3?Ch:U.distr==4?lx:ax)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
-values;v.values=ys(J)&&!ys(J[0])?gt(J):H?ys(J)?wf(Y,Sf(J,W)):yf(J)?$_(Y,J):J||K:J||ox,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?ux:U.distr==3&&U.log==2?dx:qf)),
-v.font=kf(v.font),v.labelFont=kf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
-ri(Z0,h))}}function Xi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Ef.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
-!fe?un(Pf.size/2):0),Ne}let po=n.padding=(i.padding||[Xi,Xi,Xi,Xi]).map(v=>gt(bt(v,Xi))),di=n._padding=po.map((v,A)=>v(n,A,Ai,0)),$t,Kt=null,jt=null,Ei=s==1?_[0].
-idxs:null,Wn=null,fs=!1;function mo(v,A){if(e=v??[],n.data=n._data=e,s==2){$t=0;for(let N=1;N<_.length;N++)$t+=e[N][0].length}else{e.length==0&&(n.data=n._data=
-e=[[]]),Wn=e[0],$t=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array($t);for(let H=0;H<$t;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
-!1){let N=P;N.auto(n,fs)?go():gs(T,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=mo;function go(){fs=!0;let v,A;s==1&&($t>0?(Kt=Ei[0]=0,jt=Ei[1]=$t-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,P.log,!1):F==4?[v,A]=Fh(v,v,P.log,!1):P.time?A=v+un(86400/g):[v,A]=Ua(v,A,Oh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
-A=null)),gs(T,v,A)}let cr,ps,hr,E,k,j,$,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=tf,N??=kh,U??="butt",H??=tf,J??="round",v!=cr&&(u.strokeStyle=cr=v),H!=ps&&(u.fillStyle=
-ps=H),A!=hr&&(u.lineWidth=hr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=ps&&(u.fillStyle=ps=A),v!=$&&(u.font=
-$=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,fs)&&(A==null||A.min==null)){let J=bt(Kt,0),ae=bt(jt,
-U.length-1),fe=N.min==null?u_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
-for(let U in M){let H=M[U];G[U]==null&&(H.min==null||G[T]!=null&&H.auto(n,fs))&&(G[U]=je)}for(let U in M){let H=M[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
-(G[U]=je)}G[T]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=wr(M[U],v_);if(H.min!=null)on(J,H);else if(U!=T||s==2)if($t==0&&J.from==
-null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if($t>0){_.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
+ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Rn=[];function mo(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,i_),Yn(N,v.class),Ni(N,-10,-10,
+B,Re),p.insertBefore(N,ot[A]),N}function cr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Sf(U)?Pf(Y,Rf(U,W)):U||Q:U||_x,v.label=v.label||(N?
+cx:lx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Ix||b_,v.fillTo=gt(v.fillTo||Mx),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=kf(v.pxAlign),v.stroke=
+gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=xx(Dn(1,v.width),1),U=v.points=on({},{size:N,width:Dn(1,N*.2),stroke:v.
+stroke,space:N*2,paths:Lx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
+U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=mo(v,A)):
+A>0&&(N=mo(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Rn.splice(A,0,0)}yn("addSeries",A)}function ah(v,A){A=A??x.length,v=s==1?Nh(v,A,Lf,Of):Nh(v,A,{},Ff),x.splice(
+A,0,v),cr(x[A],A)}n.addSeries=ah;function Aa(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
+me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Rn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
+v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:S,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
+vs(v.incrs)&&v.incrs.forEach(ae=>{!bs.has(ae)&&bs.set(ae,jf(ae))}),v.incrs=gt(v.incrs||(U.distr==2?H_:H?g==1?X_:Y_:Xs)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+U.distr==3?Rh:U.distr==4?dx:ux)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
+values;v.values=vs(J)&&!vs(J[0])?gt(J):H?vs(J)?Cf(Y,Ef(J,W)):Sf(J)?K_(Y,J):J||K:J||hx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?mx:U.distr==3&&U.log==2?gx:Jf)),
+v.font=Hf(v.font),v.labelFont=Hf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
+oi(Q0,h))}}function Xi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(If.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
+!fe?un(Df.size/2):0),Ne}let go=n.padding=(i.padding||[Xi,Xi,Xi,Xi]).map(v=>gt(Mt(v,Xi))),di=n._padding=go.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?x[0].
+idxs:null,Wn=null,ps=!1;function _o(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
+e=[[]]),Wn=e[0],qt=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
+!1){let N=I;N.auto(n,ps)?xo():_s(S,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=_o;function xo(){ps=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=Oh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Ua(v,A,Bh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=null)),_s(S,v,A)}let hr,ms,ur,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=of,N??=zh,U??="butt",H??=of,J??="round",v!=hr&&(u.strokeStyle=hr=v),H!=ms&&(u.fillStyle=
+ms=H),A!=ur&&(u.lineWidth=ur=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=ms&&(u.fillStyle=ms=A),v!=q&&(u.font=
+q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,ps)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
+U.length-1),fe=N.min==null?m_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Dn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
+for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[S]!=null&&H.auto(n,ps))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
+(G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Tr(b[U],w_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
+null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){x.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
 fe=J.scale,ve=ae.scale,[Ne,De]=e[H],Fe=v[fe],tt=v[ve];Fe!=null&&ke(Fe,G[fe],J,Ne,J.sorted),tt!=null&&ke(tt,G[ve],ae,De,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in v){
 let H=v[U],J=G[U];if(H.from==null&&(J==null||J.min==null)){let ae=H.range(n,H.min==Nt?null:H.min,H.max==-Nt?null:H.max,U);H.min=ae[0],H.max=ae[1]}}}for(let U in v){
 let H=v[U];if(H.from!=null){let J=v[H.from];if(J.min==null)H.min=H.max=null;else{let ae=H.range(n,J.min,J.max,U);H.min=ae[0],H.max=ae[1]}}}let A={},N=!1;for(let U in v){
-let H=v[U],J=M[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?yh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
-J._max=ae==3?Zi(J.max):ae==4?yh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){_.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
-null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Eh(Kt-1,0,$t-1),N=Eh(jt+1,0,$t-1);for(;v[A]==
-null&&A>0;)A--;for(;v[N]==null&&N<$t-1;)N++;return[A,N]}function ft(){if($t>0){let v=_.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),_.forEach(
+let H=v[U],J=b[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?vh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
+J._max=ae==3?Zi(J.max):ae==4?vh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){x.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
+null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Ch(Kt-1,0,qt-1),N=Ch(jt+1,0,qt-1);for(;v[A]==
+null&&A>0;)A--;for(;v[N]==null&&N<qt-1;)N++;return[A,N]}function ft(){if(qt>0){let v=x.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),x.forEach(
 (A,N)=>{if(N>0&&A.show&&(Xt(N,!1),Xt(N,!0),A._paths==null)){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha);let H=s==2?[0,e[N][0].length-1]:Be(e[N]);A._paths=A.
-paths(n,N,H[0],H[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),_.forEach((A,N)=>{if(N>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(N,!1);
+paths(n,N,H[0],H[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),x.forEach((A,N)=>{if(N>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(N,!1);
 {let H=A._paths!=null?A._paths.gaps:null,J=A.points.show(n,N,Kt,jt,H),ae=A.points.filter(n,N,J,H);(J||ae)&&(A.points._paths=A.points.paths(n,N,Kt,jt,ae),Et(N,!0))}
-Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",N)}}),v&&(u.globalAlpha=Pe=1)}}function Xt(v,A){let N=A?_[v].points:_[v];N._stroke=N.stroke(n,v),N._fill=N.fill(n,v)}
-function Et(v,A){let N=A?_[v].points:_[v],{stroke:U,fill:H,clip:J,flags:ae,_stroke:fe=N._stroke,_fill:ve=N._fill,_width:Ne=N.width}=N._paths;Ne=Dt(Ne*wt,3);let De=null,
-Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=I-Ne/2,Mt=w-Ne/2,pt=q+Ne,Ye=he+Ne;De=new Path2D,De.rect(
-St,Mt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
-ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let Mt=_[tt.series[1]],pt=e[tt.series[1]],Ye=(Mt._paths||Ao).band;ys(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
-Mt.show&&Ye&&f_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=Mt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Tr|
-Ph;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
-H,ae),tn(v,J,A)):fe&Ph?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Tr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
-Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=cr=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
-Map?A.forEach((N,U)=>{u.fillStyle=ps=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=S[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
-U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Dx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
-Ne,fe),u.beginPath();let Fe,tt,St,Mt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,Mt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=Mt=v[Ye],
-u.moveTo(Fe,tt),u.lineTo(St,Mt));u.stroke(),y==1&&u.translate(-De,-De)}function ur(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=M[N.scale];if(H.
-min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
-if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,Mt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
-N.values(n,N.filter(n,St,U,De,Mt),U,De,Mt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=oi(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
-let A=!0;return po.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function $i(){for(let v=0;v<S.length;v++){let A=S[v];if(!A.show||!A._show)continue;
-let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,$n=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
-center",N==2?"top":ef),u.save(),U==1?(H=J=0,u.translate($n,un(w+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(I+q/2),J=$n);let Gs=Wf(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(Gs,H,J),u.restore()}if(Ne==0)continue;let De=M[A.scale],Fe=U==0?q:he,tt=U==0?I:w,St=A._splits,Mt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
-Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=p(A._pos*wt),Xn=(Zt+
-vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,H=U==1?Ln:0;let ii=A.font[0],fi=A.align==1?yr:A.align==2?gh:It>0?yr:It<0?gh:U==0?"center":N==3?gh:yr,Ii=It||U==1?"middle":N==2?"top":
-ef;Ie(ii,ae,fi,Ii);let qn=A.font[1]*A.lineGap,si=St.map(Nn=>p(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let $n=pi[Nn];if($n!=null){U==0?H=si[Nn]:
-J=si[Nn],$n=""+$n;let Gs=$n.indexOf("\n")==-1?[$n]:$n.split(/\n/gm);for(let Dn=0;Dn<Gs.length;Dn++){let Zd=Gs[Dn];It?(u.save(),u.translate(H,J+Dn*qn),u.rotate(It),
-u.fillText(Zd,0,0),u.restore()):u.fillText(Zd,H,J+Dn*qn)}}}Ye.show&&nn(si,Ye.filter(n,Mt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
-grid;Li.show&&nn(si,Li.filter(n,Mt,v,Ne,pt),U,U==0?2:1,U==0?w:I,U==0?he:q,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
-2,U==1?w:I,U==1?he:q,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){_.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
-max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,In=!1,Rt=[];function sn(){In=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
-Yt||(E_(Id),Yt=!0)}function Ea(v,A=!1){Yt=!0,In=A,v(n),Id(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Id(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
-if(zt(f,yr,qe),zt(f,"top",it),zt(f,bo,B),zt(f,So,Re),zt(m,yr,qe),zt(m,"top",it),zt(m,bo,B),zt(m,So,Re),zt(h,bo,qt),zt(h,So,en),d.width=un(qt*wt),d.height=un(en*
-wt),S.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
-zt(v,ae?"top":"left",ae?it:qe),zt(v,ae?"height":"width",ae?Re:B),Th(v,Xs)}else Yn(v,Xs)}),cr=ps=hr=k=j=$=Z=Te=E=null,Pe=1,yo(!0),qe!=Se||it!=Lt||B!=ze||Re!=Xe){
-ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,dr&&Ni(dr,un(ue.left),0,B,Re),fr&&Ni(fr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
-U!=null&&(Ft[N]*=v,Pn[N]*=A,Ni(U,oi(Ft[N]),oi(Pn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in dh)
-zt(gr,N,Bt[N])}Se=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),b.forEach(v=>v()),yn("draw")),Bt.show&&
-ie&&(Ca(Bt),ie=!1),me&&te&&(Vs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(hh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),fs=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
-!1?gs(T,P.min,P.max):Tn()};function ah(v,A){let N=M[v];if(N.from==null){if($t==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
-A.min=A.max,A.max=U}if($t>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==T&&N.distr==2&&$t>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
-A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=ah;let lh,ch,dr,fr,Ld,Nd,pr,mr,Dd,Ud,Ot,Ht,ms=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(lh=ri(K0,m)),ue.y&&(ch=ri(j0,m)),
-P.ori==0?(dr=lh,fr=ch):(dr=ch,fr=lh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),gr=Bt.show?ri(J0,Bt.over?
-m:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in dh&&zt(gr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function E0(v){if(_[v].show)ee&&
-Th(nt[v],Xs);else if(ee&&Yn(nt[v],Xs),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function gs(v,A,N){ah(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
-null&&L0(v),A.show!=null&&_.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,E0(J),s==2?(gs(H.facets[0].scale,null,null),gs(H.facets[1].scale,null,null)):gs(
-H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&vo("setSeries",n,v,A)}n.setSeries=Ri;function C0(v,A){on(C[v],A)}function R0(v,A){v.fill=gt(v.fill||null),
-v.dir=bt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function P0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=R0,n.setBand=C0,n.delBand=P0;function I0(v,A){_[v].alpha=
-A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,_s,zs,_r={focus:!0};function L0(v){if(v!=zs){let A=v==null,N=Oe.alpha!=1;_.
-forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&I0(H,J?1:Oe.alpha)}}),zs=v,N&&Tn()}}ee&&Je&&vt(rf,Ee,v=>{ue._lock||(Ze(v),zs!=null&&Ri(null,
-_r,!0,rn.setSeries))});function Pi(v,A,N){let U=M[A];N&&(v=v/wt-(U.ori==1?it:qe));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
-H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?br(10,ve):Ne==4?m_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function N0(v,A){let N=Pi(v,T,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
-v=>gi(v,e[0]),n.posToIdx=N0,n.posToVal=Pi,n.valToPos=(v,A,N)=>M[A].ori==0?r(v,M[A],N?q:B,N?I:0):o(v,M[A],N?he:Re,N?w:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
-Vs(null,A,N)};function Fd(v,A){zt(gr,yr,Bt.left=v),zt(gr,bo,Bt.width=A)}function Od(v,A){zt(gr,"top",Bt.top=v),zt(gr,So,Bt.height=A)}let _o=P.ori==0?Fd:Od,xo=P.
-ori==1?Fd:Od;function D0(){if(ee&&de.live)for(let v=s==2?1:0;v<_.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
-A[U]}}function hh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):y_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<_.length;N++)(N>0||
-s==1&&!lt)&&U0(N,se[N]);D0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=hh;function U0(v,A){let N=_[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
-n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Vs(v,A,N){Dd=Ot,Ud=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(dr&&Ni(dr,un(Ot),0,
-B,Re),fr&&Ni(fr,0,un(Ht),B,Re));let U,H=Kt>jt;Yi=Nt,_s=null;let J=P.ori==0?B:Re,ae=P.ori==1?B:Re;if(Ot<0||$t==0||H){U=ue.idx=null;for(let fe=0;fe<_.length;fe++){
-let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,_r,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=P.ori==0?Ot:Ht,ve=Pi(
-fe,T),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],P,J,0));let De=-10,Fe=-10,tt=0,St=0,Mt=!0,pt="",Ye="";for(let We=s==2?1:0;We<_.length;We++){let kt=_[We],Zt=se[We],
+Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",N)}}),v&&(u.globalAlpha=Pe=1)}}function Xt(v,A){let N=A?x[v].points:x[v];N._stroke=N.stroke(n,v),N._fill=N.fill(n,v)}
+function Et(v,A){let N=A?x[v].points:x[v],{stroke:U,fill:H,clip:J,flags:ae,_stroke:fe=N._stroke,_fill:ve=N._fill,_width:Ne=N.width}=N._paths;Ne=Dt(Ne*wt,3);let De=null,
+Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=L-Ne/2,bt=T-Ne/2,pt=$+Ne,Ye=he+Ne;De=new Path2D,De.rect(
+St,bt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
+ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=x[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Co).band;vs(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
+bt.show&&Ye&&__(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Ar|
+Ih;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
+H,ae),tn(v,J,A)):fe&Ih?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Ar&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
+Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=hr=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
+Map?A.forEach((N,U)=>{u.fillStyle=ms=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function $i(v,A,N,U){let H=w[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
+U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Bx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
+Ne,fe),u.beginPath();let Fe,tt,St,bt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,bt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=bt=v[Ye],
+u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),y==1&&u.translate(-De,-De)}function dr(v){let A=!0;return w.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
+min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=$i(U,fe,ve,ae==0?B:Re);
+if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,bt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
+N.values(n,N.filter(n,St,U,De,bt),U,De,bt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=ai(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
+let A=!0;return go.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function qi(){for(let v=0;v<w.length;v++){let A=w[v];if(!A.show||!A._show)continue;
+let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Ln=A.labelGap*fe,qn=un((A._lpos+Ln)*wt);Ie(A.labelFont[0],ae,"\
+center",N==2?"top":rf),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(L+$/2),J=qn);let Hs=Yf(A.label)?A.label(n,v,ve,Ne):A.label;
+u.fillText(Hs,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Ln=>Wn[Ln]):St,pt=De.distr==2?Wn[St[1]]-
+Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=m(A._pos*wt),Xn=(Zt+
+vn)*fe,In=Jt+Xn;J=U==0?In:0,H=U==1?In:0;let si=A.font[0],fi=A.align==1?vr:A.align==2?_h:It>0?vr:It<0?_h:U==0?"center":N==3?_h:vr,Ii=It||U==1?"middle":N==2?"top":
+rf;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Ln=>m(a(Ln,De,Fe,tt))),pi=A._values;for(let Ln=0;Ln<pi.length;Ln++){let qn=pi[Ln];if(qn!=null){U==0?H=ri[Ln]:
+J=ri[Ln],qn=""+qn;let Hs=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Nn=0;Nn<Hs.length;Nn++){let Qd=Hs[Nn];It?(u.save(),u.translate(H,J+Nn*$n),u.rotate(It),
+u.fillText(Qd,0,0),u.restore()):u.fillText(Qd,H,J+Nn*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
+grid;Li.show&&nn(ri,Li.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
+2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){x.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
+max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,Pn=!1,Rt=[];function sn(){Pn=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
+Yt||(I_(Ud),Yt=!0)}function Ea(v,A=!1){Yt=!0,Pn=A,v(n),Ud(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Ud(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
+if(zt(f,vr,$e),zt(f,"top",it),zt(f,wo,B),zt(f,To,Re),zt(p,vr,$e),zt(p,"top",it),zt(p,wo,B),zt(p,To,Re),zt(h,wo,$t),zt(h,To,en),d.width=un($t*wt),d.height=un(en*
+wt),w.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
+zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ah(v,$s)}else Yn(v,$s)}),hr=ms=ur=k=j=q=Z=Te=E=null,Pe=1,bo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
+ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,fr&&Ni(fr,un(ue.left),0,B,Re),pr&&Ni(pr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
+U!=null&&(Ft[N]*=v,Rn[N]*=A,Ni(U,ai(Ft[N]),ai(Rn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in fh)
+zt(_r,N,Bt[N])}Se=$e,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}$t>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),M.forEach(v=>v()),yn("draw")),Bt.show&&
+ie&&(Ca(Bt),ie=!1),me&&te&&(Gs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(uh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),ps=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
+!1?_s(S,I.min,I.max):Tn()};function lh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
+A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==S&&N.distr==2&&qt>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
+A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=lh;let ch,hh,fr,pr,Fd,Od,mr,gr,Bd,kd,Ot,Ht,gs=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(ch=oi(t_,p)),ue.y&&(hh=oi(n_,p)),
+I.ori==0?(fr=ch,pr=hh):(fr=hh,pr=ch),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),_r=Bt.show?oi(e_,Bt.over?
+p:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in fh&&zt(_r,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function I0(v){if(x[v].show)ee&&
+Ah(nt[v],$s);else if(ee&&Yn(nt[v],$s),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function _s(v,A,N){lh(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
+null&&F0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,I0(J),s==2?(_s(H.facets[0].scale,null,null),_s(H.facets[1].scale,null,null)):_s(
+H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&Mo("setSeries",n,v,A)}n.setSeries=Ri;function L0(v,A){on(C[v],A)}function N0(v,A){v.fill=gt(v.fill||null),
+v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function D0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=N0,n.setBand=L0,n.delBand=D0;function U0(v,A){x[v].alpha=
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,xs,Vs,xr={focus:!0};function F0(v){if(v!=Vs){let A=v==null,N=Oe.alpha!=1;x.
+forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&U0(H,J?1:Oe.alpha)}}),Vs=v,N&&Tn()}}ee&&Je&&vt(cf,Ee,v=>{ue._lock||(Ze(v),Vs!=null&&Ri(null,
+xr,!0,rn.setSeries))});function Pi(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:$e));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
+H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?Sr(10,ve):Ne==4?y_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function O0(v,A){let N=Pi(v,S,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
+v=>gi(v,e[0]),n.posToIdx=O0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
+Gs(null,A,N)};function zd(v,A){zt(_r,vr,Bt.left=v),zt(_r,wo,Bt.width=A)}function Vd(v,A){zt(_r,"top",Bt.top=v),zt(_r,To,Bt.height=A)}let yo=I.ori==0?zd:Vd,vo=I.
+ori==1?zd:Vd;function B0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
+A[U]}}function uh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):S_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
+s==1&&!lt)&&k0(N,se[N]);B0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=uh;function k0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
+n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Gs(v,A,N){Bd=Ot,kd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(fr&&Ni(fr,un(Ot),0,
+B,Re),pr&&Ni(pr,0,un(Ht),B,Re));let U,H=Kt>jt;Yi=Nt,xs=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<x.length;fe++){
+let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,xr,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
+fe,S),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<x.length;We++){let kt=x[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
-let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],P,J,0),Ln=Jt==null?-10:D(Jt,s==1?M[kt.scale]:M[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ii=P.ori==
-1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Ln,ii));if(fi<Yi){let Ii=Oe.bias;if(Ii!=0){let qn=Pi(ii,kt.scale),si=Jt>=0?1:-1,pi=qn>=0?1:-1;pi==si&&(pi==1?Ii==1?Jt>=qn:Jt<=qn:Ii==
-1?Jt<=qn:Jt>=qn)&&(Yi=fi,_s=We)}else Yi=fi,_s=We}}if(pe||Ce){let ii,fi;P.ori==0?(ii=Xn,fi=Ln):(ii=Ln,fi=Xn);let Ii,qn,si,pi,Li,Nn,$n=!0,Gs=le.bbox;if(Gs!=null){
-$n=!1;let Dn=Gs(n,We);si=Dn.left,pi=Dn.top,Ii=Dn.width,qn=Dn.height}else si=ii,pi=fi,Ii=qn=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==_s&&Yi<=Oe.
-prox&&(De=si,Fe=pi,tt=Ii,St=qn,Mt=$n,pt=Nn,Ye=Li);else{let Dn=ot[We];Dn!=null&&(Ft[We]=si,Pn[We]=pi,df(Dn,Ii,qn,$n),hf(Dn,Nn,Li),Ni(Dn,oi(si),oi(pi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=zs==null?Yi<=We:Yi>We||_s!=zs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,df(Zt,tt,St,Mt),hf(Zt,pt,Ye),Ni(Zt,oi(De),oi(Fe),B,Re))}}}if(Bt.
-show&&ms)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:Mt,top:pt,width:Ye,
-height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Ln,ii=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);ii&&_n?(kt==0?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=
-M[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),_o(_i(Xn,Ln),dn(Ln-Xn))):_o(0,J),fi&&xn?(kt==1?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=M[ve],Xn=D(Zt(vn,tt),Jt,ae,
-0),Ln=D(Zt(vn+It,tt),Jt,ae,0),xo(_i(Xn,Ln),dn(Ln-Xn))):xo(0,ae)}else fh()}else{let fe=dn(Dd-Ld),ve=dn(Ud-Nd);if(P.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
-dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(P.ori==
-0?(De=pr,Fe=Ot):(De=mr,Fe=Ht),_o(_i(De,Fe),dn(Fe-De)),xn||xo(0,ae)),xn&&(P.ori==1?(De=pr,Fe=Ot):(De=mr,Fe=Ht),xo(_i(De,Fe),dn(Fe-De)),_n||_o(0,J)),!_n&&!xn&&(_o(
-0,0),xo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(Yd!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(P.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(P.
-ori==1?Ot:Ht,ve):null}vo(_h,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;zs==null?Yi<=ve&&Ri(_s,_r,!0,fe):Yi>ve?Ri(null,_r,!0,fe):_s!=zs&&Ri(_s,_r,!0,
-fe)}}pe&&(de.idx=U,hh()),A!==!1&&yn("setCursor")}let xs=null;Object.defineProperty(n,"rect",{get(){return xs==null&&yo(!1),xs}});function yo(v=!1){v?xs=null:(xs=
-m.getBoundingClientRect(),yn("syncRect",xs))}function Bd(v,A,N,U,H,J,ae){ue._lock||ms&&v!=null&&v.movementX==0&&v.movementY==0||(uh(v,A,N,U,H,J,ae,!1,v!=null),v!=
-null?Vs(null,!0,!0):Vs(A,!0,!1))}function uh(v,A,N,U,H,J,ae,fe,ve){if(xs==null&&yo(!1),Ze(v),v!=null)N=v.clientX-xs.left,U=v.clientY-xs.top;else{if(N<0||U<0){Ot=
--10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[Mt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=P.ori==0?B:Re,vn=P.ori==1?
-B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Ln=kt?N:U;if(Mt!=null?N=Ye(Ne,Mt)?a(tt,M[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,M[De],vn,0):-10:U=vn*(Ln/Jt),P.
-ori==1){let ii=N;N=U,U=ii}}ve&&(A==null||A.cursor.event.type==_h)&&((N<=1||N>=B-1)&&(N=Hs(N,B)),(U<=1||U>=Re-1)&&(U=Hs(U,Re))),fe?(Ld=N,Nd=U,[pr,mr]=ue.move(n,N,
-U)):(Ot=N,Ht=U)}let dh={width:0,height:0,left:0,top:0};function fh(){Ca(dh,!1)}let kd,zd,Vd,Gd;function Hd(v,A,N,U,H,J,ae){ms=!0,_n=xn=Sn._x=Sn._y=!1,uh(v,A,N,U,
-H,J,ae,!0,!1),v!=null&&(vt(xh,Sh,Wd,!1),vo(nf,n,pr,mr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;kd=fe,zd=ve,Vd=Ne,Gd=De}function Wd(v,A,N,U,H,J,ae){
-ms=Sn._x=Sn._y=!1,uh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=kd!=fe||zd!=ve||Vd!=Ne||Gd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
-Fe&&tt){let St=fe,Mt=Ne,pt=ve,Ye=De;if(P.ori==1&&(St=ve,Mt=De,pt=fe,Ye=Ne),_n&&gs(T,Pi(St,T),Pi(St+Mt,T)),xn)for(let We in M){let kt=M[We];We!=T&&kt.from==null&&
-kt.min!=Nt&&gs(We,Pi(pt+Ye,We),Pi(pt,We))}fh()}else ue.lock&&(ue._lock=!ue._lock,Vs(A,!0,v!=null));v!=null&&(cn(xh,Sh),vo(xh,n,Ot,Ht,B,Re,null))}function F0(v,A,N,U,H,J,ae){
-if(ue._lock)return;Ze(v);let fe=ms;if(ms){let ve=!0,Ne=!0,De=10,Fe,tt;P.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
-ve&&(Ot=Ot<pr?0:B),tt&&Ne&&(Ht=Ht<mr?0:Re),Vs(null,!0,!0),ms=!1}Ot=-10,Ht=-10,se.fill(null),Vs(null,!0,!0),fe&&(ms=fe)}function Xd(v,A,N,U,H,J,ae){ue._lock||(Ze(
-v),go(),fh(),v!=null&&vo(of,n,Ot,Ht,B,Re,null))}function qd(){S.forEach(Ux),O(n.width,n.height,!0)}qs(Da,Mr,qd);let xr={};xr.mousedown=Hd,xr.mousemove=Bd,xr.mouseup=
-Wd,xr.dblclick=Xd,xr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(nf,m,Hd),vt(_h,m,Bd),vt(sf,m,v=>{Ze(v),yo(!1)}),vt(rf,m,F0),
-vt(of,m,Xd),Ih.add(n),n.syncRect=yo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){In?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
-[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let $d=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:_f,sub:_f},scales:[T,_[1]?
-_[1].scale:null],match:[xf,xf,$d],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push($d),ue.sync=rn;let Yd=rn.key,ph=pp(Yd);function vo(v,A,N,U,H,J,ae){
-rn.filters.pub(v,A,N,U,H,J,ae)&&ph.pub(v,A,N,U,H,J,ae)}ph.sub(n);function O0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&xr[v](null,A,N,U,H,J,ae)}n.pub=O0;function B0(){
-ph.unsub(n),Ih.delete(n),gn.clear(),Ah(Da,Mr,qd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=B0;function mh(){yn("init",i,e),mo(e||i.data,!1),G[T]?ah(T,G[T]):
-go(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return _.forEach(lr),S.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),mh()):t(
-n,mh):mh(),n}fn.assign=on;fn.fmtNum=Bh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=Fh;fn.orient=Ys;fn.pxRatio=wt;fn.join=A_;fn.fmtDate=zh,fn.tzDate=O_;fn.sync=pp;
-{fn.addGap=yx,fn.clipGaps=Va;let i=fn.paths={points:vp};i.linear=bp,i.stepped=bx,i.bars=Sx,i.spline=Tx}function Ki(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
+let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),In=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
+1?Ot:Ht,fi=dn(Oe.dist(n,We,It,In,si));if(fi<Yi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
+1?Jt<=$n:Jt>=$n)&&(Yi=fi,xs=We)}else Yi=fi,xs=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=In):(si=In,fi=Xn);let Ii,$n,ri,pi,Li,Ln,qn=!0,Hs=le.bbox;if(Hs!=null){
+qn=!1;let Nn=Hs(n,We);ri=Nn.left,pi=Nn.top,Ii=Nn.width,$n=Nn.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Ln=le.fill(n,We),Li=le.stroke(n,We),Ce)We==xs&&Yi<=Oe.
+prox&&(De=ri,Fe=pi,tt=Ii,St=$n,bt=qn,pt=Ln,Ye=Li);else{let Nn=ot[We];Nn!=null&&(Ft[We]=ri,Rn[We]=pi,gf(Nn,Ii,$n,qn),pf(Nn,Ln,Li),Ni(Nn,ai(ri),ai(pi),B,Re))}}}}if(Ce){
+let We=Oe.prox,kt=Vs==null?Yi<=We:Yi>We||xs!=Vs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Rn[0]=Fe,gf(Zt,tt,St,bt),pf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
+show&&gs)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:bt,top:pt,width:Ye,
+height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,In,si=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);si&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
+b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),In=z(Zt(vn+It,Fe),Jt,J,0),yo(_i(Xn,In),dn(In-Xn))):yo(0,J),fi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
+0),In=D(Zt(vn+It,tt),Jt,ae,0),vo(_i(Xn,In),dn(In-Xn))):vo(0,ae)}else ph()}else{let fe=dn(Bd-Fd),ve=dn(kd-Od);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
+dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
+0?(De=mr,Fe=Ot):(De=gr,Fe=Ht),yo(_i(De,Fe),dn(Fe-De)),xn||vo(0,ae)),xn&&(I.ori==1?(De=mr,Fe=Ot):(De=gr,Fe=Ht),vo(_i(De,Fe),dn(Fe-De)),_n||yo(0,J)),!_n&&!xn&&(yo(
+0,0),vo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(jd!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
+ori==1?Ot:Ht,ve):null}Mo(xh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;Vs==null?Yi<=ve&&Ri(xs,xr,!0,fe):Yi>ve?Ri(null,xr,!0,fe):xs!=Vs&&Ri(xs,xr,!0,
+fe)}}pe&&(de.idx=U,uh()),A!==!1&&yn("setCursor")}let ys=null;Object.defineProperty(n,"rect",{get(){return ys==null&&bo(!1),ys}});function bo(v=!1){v?ys=null:(ys=
+p.getBoundingClientRect(),yn("syncRect",ys))}function Gd(v,A,N,U,H,J,ae){ue._lock||gs&&v!=null&&v.movementX==0&&v.movementY==0||(dh(v,A,N,U,H,J,ae,!1,v!=null),v!=
+null?Gs(null,!0,!0):Gs(A,!0,!1))}function dh(v,A,N,U,H,J,ae,fe,ve){if(ys==null&&bo(!1),Ze(v),v!=null)N=v.clientX-ys.left,U=v.clientY-ys.top;else{if(N<0||U<0){Ot=
+-10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[bt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
+B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,In=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(In/Jt),I.
+ori==1){let si=N;N=U,U=si}}ve&&(A==null||A.cursor.event.type==xh)&&((N<=1||N>=B-1)&&(N=Ws(N,B)),(U<=1||U>=Re-1)&&(U=Ws(U,Re))),fe?(Fd=N,Od=U,[mr,gr]=ue.move(n,N,
+U)):(Ot=N,Ht=U)}let fh={width:0,height:0,left:0,top:0};function ph(){Ca(fh,!1)}let Hd,Wd,Xd,$d;function qd(v,A,N,U,H,J,ae){gs=!0,_n=xn=Sn._x=Sn._y=!1,dh(v,A,N,U,
+H,J,ae,!0,!1),v!=null&&(vt(yh,wh,Yd,!1),Mo(af,n,mr,gr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Hd=fe,Wd=ve,Xd=Ne,$d=De}function Yd(v,A,N,U,H,J,ae){
+gs=Sn._x=Sn._y=!1,dh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Hd!=fe||Wd!=ve||Xd!=Ne||$d!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
+Fe&&tt){let St=fe,bt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,bt=De,pt=fe,Ye=Ne),_n&&_s(S,Pi(St,S),Pi(St+bt,S)),xn)for(let We in b){let kt=b[We];We!=S&&kt.from==null&&
+kt.min!=Nt&&_s(We,Pi(pt+Ye,We),Pi(pt,We))}ph()}else ue.lock&&(ue._lock=!ue._lock,Gs(A,!0,v!=null));v!=null&&(cn(yh,wh),Mo(yh,n,Ot,Ht,B,Re,null))}function z0(v,A,N,U,H,J,ae){
+if(ue._lock)return;Ze(v);let fe=gs;if(gs){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
+ve&&(Ot=Ot<mr?0:B),tt&&Ne&&(Ht=Ht<gr?0:Re),Gs(null,!0,!0),gs=!1}Ot=-10,Ht=-10,se.fill(null),Gs(null,!0,!0),fe&&(gs=fe)}function Zd(v,A,N,U,H,J,ae){ue._lock||(Ze(
+v),xo(),ph(),v!=null&&Mo(hf,n,Ot,Ht,B,Re,null))}function Jd(){w.forEach(kx),O(n.width,n.height,!0)}qs(Da,Mr,Jd);let yr={};yr.mousedown=qd,yr.mousemove=Gd,yr.mouseup=
+Yd,yr.dblclick=Zd,yr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(af,p,qd),vt(xh,p,Gd),vt(lf,p,v=>{Ze(v),bo(!1)}),vt(cf,p,z0),
+vt(hf,p,Zd),Lh.add(n),n.syncRect=bo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){Pn?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
+[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Kd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:bf,sub:bf},scales:[S,x[1]?
+x[1].scale:null],match:[Mf,Mf,Kd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Kd),ue.sync=rn;let jd=rn.key,mh=xp(jd);function Mo(v,A,N,U,H,J,ae){
+rn.filters.pub(v,A,N,U,H,J,ae)&&mh.pub(v,A,N,U,H,J,ae)}mh.sub(n);function V0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&yr[v](null,A,N,U,H,J,ae)}n.pub=V0;function G0(){
+mh.unsub(n),Lh.delete(n),gn.clear(),Eh(Da,Mr,Jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=G0;function gh(){yn("init",i,e),_o(e||i.data,!1),G[S]?lh(S,G[S]):
+xo(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(cr),w.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),gh()):t(
+n,gh):gh(),n}fn.assign=on;fn.fmtNum=kh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=Oh;fn.orient=Zs;fn.pxRatio=wt;fn.join=P_;fn.fmtDate=Vh,fn.tzDate=V_;fn.sync=xp;
+{fn.addGap=Sx,fn.clipGaps=Va;let i=fn.paths={points:wp};i.linear=Ap,i.stepped=Ax,i.bars=Ex,i.spline=Rx}function Ki(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
 leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function Xa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
 "change",i)}function X(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}function zn(i){if(i==null)return"\u2013";let e=Math.
 abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(4))," mm"):e>=1e-6?"".concat(Number((i*1e6).toPrecision(
-4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Co(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Ap=210,Fx=[{title:"Energy",group:"energy",unit:Co,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
+4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Po(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Pp=210,zx=[{title:"Energy",group:"energy",unit:Po,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:zn,lines:[{label:"lateral error",column:"lat\
 eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:zn,lines:[{label:"hi\
-ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Ox(i){return(i.channels??[]).map(({key:e,name:t,
+ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Vx(i){return(i.channels??[]).map(({key:e,name:t,
 unit:n,one:s})=>{let r=o=>({label:s?"value":o,column:"".concat(e," ").concat(o),source:e});return{title:"Channel ".concat(t),unit:o=>o==null?"\u2013":"".concat(
-Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var $h=i=>i===void 0||i.every(e=>e===
-null);function Bx(i,e){let t=i.lines.filter(r=>!$h(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
-let o=e.expected[r.source];!o||$h(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function kx(i,e,t,n){
+Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var Yh=i=>i===void 0||i.every(e=>e===
+null);function Gx(i,e){let t=i.lines.filter(r=>!Yh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
+let o=e.expected[r.source];!o||Yh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function Hx(i,e,t,n){
 let s=(a,l)=>i.unit(l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.
 dash,spanGaps:!0,points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{
-show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function zx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
-t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function Vx(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
+show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function Wx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
+t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function Xx(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
 save(),o.strokeStyle=e.bad,o.lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),
-o.restore()}}function Gx(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
-...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function Hx(i,e,t,n){let{lines:s,rings:r,table:o}=Bx(i,t);if(o===null)return null;let a=Ki(),l={
-width:e.clientWidth,height:Ap,scales:{x:{time:!1},y:{range:zx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:Gx(i,a),series:kx(
-i,s,r,a),hooks:{draw:[Vx(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Wx(i,e){let t=i.lines.filter(n=>!$h(e.actual?.[n.column])).map(n=>{
+o.restore()}}function $x(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
+...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function qx(i,e,t,n){let{lines:s,rings:r,table:o}=Gx(i,t);if(o===null)return null;let a=Ki(),l={
+width:e.clientWidth,height:Pp,scales:{x:{time:!1},y:{range:Wx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:$x(i,a),series:Hx(
+i,s,r,a),hooks:{draw:[Xx(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Yx(i,e){let t=i.lines.filter(n=>!Yh(e.actual?.[n.column])).map(n=>{
 let s=e.actual[n.column].at(-1),r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(
-r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Ep(i,e,{first:t,groups:n}){let s=[...Fx.filter(d=>n.includes(d.group)),...Ox(e)],r="\
+r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Ip(i,e,{first:t,groups:n}){let s=[...zx.filter(d=>n.includes(d.group)),...Vx(e)],r="\
 Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(
 t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute(
-"role","img"),u.setAttribute("aria-label",Wx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
-Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>Hx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
-hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Ap})})},show_step(d){
-for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var Xx=700,Yh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Cp(i){let e=S=>i.querySelector('figure[data-kind="'.concat(S,
-'"]'));if(!e("expected")||!e("actual"))return;let t=Yh(e("expected"),"expected"),n=Yh(e("actual"),"actual"),s=e("difference")?Yh(e("difference"),"difference"):null;
+"role","img"),u.setAttribute("aria-label",Yx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
+Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>qx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
+hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Pp})})},show_step(d){
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var Zx=700,Zh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Lp(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+'"]'));if(!e("expected")||!e("actual"))return;let t=Zh(e("expected"),"expected"),n=Zh(e("actual"),"actual"),s=e("difference")?Zh(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
-blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,m=!1,y=S=>{n.style.clipPath="inset(0 0 0 ".concat(
-S,"%)"),r.style.left="".concat(S,"%"),r.hidden=S<=0||S>=100||m,o.hidden=S<=0||m,a.hidden=S>=100||m,s&&(s.hidden=!m),m?d.value="difference: the brighter, the fur\
-ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},p=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},g=S=>{m=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{p(),g(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let S=f!==null;if(p(),g(!1),S)return y(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{M=!M,y(M?100:0)},Xx)}),
-h.addEventListener("click",()=>{p(),g(!m),y(Number(c.value))}),p(),g(!1),y(50);let _=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
-viewer"},l,_))}var Ip={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Lp=Object.
-keys(Ip),Rp={name:i=>i.dataset.name,verdict:i=>Lp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},qx=(i,e)=>i<
-e?-1:i>e?1:0;function $x(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*qx(Rp[e](s),Rp[e](r)));i.append(...n)}function Yx(i){let e=[...i.querySelectorAll("th[dat\
+blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=w=>{n.style.clipPath="inset(0 0 0 ".concat(
+w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
+ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),y(Number(c.value))}),u.addEventListener("\
+click",()=>{let w=f!==null;if(m(),g(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},Zx)}),
+h.addEventListener("click",()=>{m(),g(!p),y(Number(c.value))}),m(),g(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
+viewer"},l,x))}var Up={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Fp=Object.
+keys(Up),Np={name:i=>i.dataset.name,verdict:i=>Fp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Jx=(i,e)=>i<
+e?-1:i>e?1:0;function Kx(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Jx(Np[e](s),Np[e](r)));i.append(...n)}function jx(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
-"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),$x(i.tBodies[0],t.dataset.sort,s)})}}
-function Pp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
-bel",{},i,n)}}function Np(i){Yx(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
-n=Pp("Verdict",Lp.filter(l=>t("verdict").includes(l)),l=>Ip[l]),s=Pp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
+"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),Kx(i.tBodies[0],t.dataset.sort,s)})}}
+function Dp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
+bel",{},i,n)}}function Op(i){jx(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
+n=Dp("Verdict",Fp.filter(l=>t("verdict").includes(l)),l=>Up[l]),s=Dp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
 ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(X("div",{className:"filters"},n.place,s.place,
-X("label",{},"Name",r),o))}var dm=0,Eu=1,fm=2;var ha=1,pm=2,io=3,Ds=0,kn=1,zi=2,Qs=0,so=1,Cu=2,Ru=3,Pu=4,mm=5;var er=100,gm=101,_m=102,xm=103,ym=104,vm=200,Mm=201,bm=202,Sm=203,Iu=204,Lu=205,wm=206,Tm=207,Am=208,Em=209,Cm=210,Rm=211,Pm=212,Im=213,Lm=214,xl=0,yl=1,vl=2,qr=3,
-Ml=4,bl=5,Sl=6,wl=7,jl=0,Nm=1,Dm=2,Vi=0,Nu=1,Du=2,Uu=3,Fu=4,Ou=5,Bu=6,ku=7;var zu=300,tr=301,ro=302,Ql=303,ec=304,Tl=1e3,Fi=1001,Al=1002,bn=1003,Um=1004;var ua=1005;var On=1006,tc=1007;var hs=1008;var Hn=1009,Vu=1010,Gu=1011,oo=1012,nc=1013,bi=1014,hi=1015,Si=1016,ic=1017,sc=1018,nr=1020,Hu=35902,Wu=35899,Xu=1021,qu=1022,wi=1023,ss=1026,us=1027,rc=1028,oc=1029,
-Us=1030,ac=1031;var lc=1033,da=33776,fa=33777,pa=33778,ma=33779,cc=35840,hc=35841,uc=35842,dc=35843,fc=36196,pc=37492,mc=37496,gc=37488,_c=37489,ga=37490,xc=37491,yc=37808,vc=37809,
-Mc=37810,bc=37811,Sc=37812,wc=37813,Tc=37814,Ac=37815,Ec=37816,Cc=37817,Rc=37818,Pc=37819,Ic=37820,Lc=37821,Nc=36492,Dc=36494,Uc=36495,Fc=36283,Oc=36284,_a=36285,
-Bc=36286;var Oo=2300,El=2301,gl=2302,yu=2303,vu=2400,Mu=2401,bu=2402;var Fm=3200;var kc=0,Om=1,ds="",Qn="srgb",Bo="srgb-linear",ko="linear",At="srgb";var _l=7680;var Bm=519,km=512,zm=513,Vm=514,$u=515,Gm=516,Hm=517,Yu=518,Zu=519,Wm=35044;var Ju="300 es",li=2e3,$r=2001;function Zx(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function Jx(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function zo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Xm(){
-let i=zo("canvas");return i.style.display="block",i}var Dp={},Yr=null;function Ku(...i){let e="THREE."+i.shift();Yr?Yr("log",e,...i):console.log(e,...i)}function qm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
-t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function $e(...i){
-i=qm(i);let e="THREE."+i.shift();if(Yr)Yr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
-qm(i);let e="THREE."+i.shift();if(Yr)Yr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function Fo(...i){
-let e=i.join(" ");e in Dp||(Dp[e]=!0,$e(...i))}function $m(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
-setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var Ym={[xl]:xl,[vl]:Sl,[Ml]:Ml,[qr]:bl,[yl]:yl,[Sl]:vl,[wl]:wl,[bl]:qr},Oi=class{addEventListener(e,t){this.
+X("label",{},"Name",r),o))}var gm=0,Cu=1,_m=2;var da=1,xm=2,so=3,Us=0,Bn=1,zi=2,er=0,ro=1,Ru=2,Pu=3,Iu=4,ym=5;var tr=100,vm=101,bm=102,Mm=103,Sm=104,wm=200,Tm=201,Am=202,Em=203,Lu=204,Nu=205,Cm=206,Rm=207,Pm=208,Im=209,Lm=210,Nm=211,Dm=212,Um=213,Fm=214,xl=0,yl=1,vl=2,qr=3,
+bl=4,Ml=5,Sl=6,wl=7,jl=0,Om=1,Bm=2,Vi=0,Du=1,Uu=2,Fu=3,Ou=4,Bu=5,ku=6,zu=7;var Vu=300,nr=301,oo=302,Ql=303,ec=304,Tl=1e3,Fi=1001,Al=1002,Mn=1003,km=1004;var fa=1005;var Fn=1006,tc=1007;var hs=1008;var Hn=1009,Gu=1010,Hu=1011,ao=1012,nc=1013,Mi=1014,ui=1015,Si=1016,ic=1017,sc=1018,ir=1020,Wu=35902,Xu=35899,$u=1021,qu=1022,wi=1023,ss=1026,us=1027,rc=1028,oc=1029,
+Fs=1030,ac=1031;var lc=1033,pa=33776,ma=33777,ga=33778,_a=33779,cc=35840,hc=35841,uc=35842,dc=35843,fc=36196,pc=37492,mc=37496,gc=37488,_c=37489,xa=37490,xc=37491,yc=37808,vc=37809,
+bc=37810,Mc=37811,Sc=37812,wc=37813,Tc=37814,Ac=37815,Ec=37816,Cc=37817,Rc=37818,Pc=37819,Ic=37820,Lc=37821,Nc=36492,Dc=36494,Uc=36495,Fc=36283,Oc=36284,ya=36285,
+Bc=36286;var ko=2300,El=2301,gl=2302,vu=2303,bu=2400,Mu=2401,Su=2402;var zm=3200;var kc=0,Vm=1,ds="",Qn="srgb",zo="srgb-linear",Vo="linear",At="srgb";var _l=7680;var Gm=519,Hm=512,Wm=513,Xm=514,Yu=515,$m=516,qm=517,Zu=518,Ju=519,Ym=35044;var Ku="300 es",ci=2e3,Yr=2001;function Qx(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function ey(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Go(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Zm(){
+let i=Go("canvas");return i.style.display="block",i}var Bp={},Zr=null;function ju(...i){let e="THREE."+i.shift();Zr?Zr("log",e,...i):console.log(e,...i)}function Jm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
+t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function qe(...i){
+i=Jm(i);let e="THREE."+i.shift();if(Zr)Zr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
+Jm(i);let e="THREE."+i.shift();if(Zr)Zr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function Bo(...i){
+let e=i.join(" ");e in Bp||(Bp[e]=!0,qe(...i))}function Km(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
+setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var jm={[xl]:xl,[vl]:Sl,[bl]:bl,[qr]:Ml,[yl]:yl,[Sl]:vl,[wl]:wl,[Ml]:qr},Oi=class{addEventListener(e,t){this.
 _listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;
 return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(
 t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,
@@ -467,12 +468,12 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},An=["00","01","02","03","0
 4","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b\
 4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d\
 4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f\
-4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var Zh=Math.PI/180,Cl=180/Math.PI;function xa(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
+4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var Jh=Math.PI/180,Cl=180/Math.PI;function va(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
 0;return(An[i&255]+An[i>>8&255]+An[i>>16&255]+An[i>>24&255]+"-"+An[e&255]+An[e>>8&255]+"-"+An[e>>16&15|64]+An[e>>24&255]+"-"+An[t&63|128]+An[t>>8&255]+"-"+An[t>>
-16&255]+An[t>>24&255]+An[n&255]+An[n>>8&255]+An[n>>16&255]+An[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function Kx(i,e){return(i%
-e+e)%e}function Jh(i,e,t){return(1-t)*i+t*e}function Zm(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function ju(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
-return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function jx(i,e){if(e.constructor===Float32Array)return i;let t=ju(e);if(t===
-void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function Qx(i,e){if(e.constructor===Float32Array)return i;let t=ju(e);
+16&255]+An[t>>24&255]+An[n&255]+An[n>>8&255]+An[n>>16&255]+An[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function ty(i,e){return(i%
+e+e)%e}function Kh(i,e,t){return(1-t)*i+t*e}function Qm(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function Qu(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
+return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function ny(i,e){if(e.constructor===Float32Array)return i;let t=Qu(e);if(t===
+void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function iy(i,e){if(e.constructor===Float32Array)return i;let t=Qu(e);
 if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var st=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
@@ -493,20 +494,20 @@ e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanD
 normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.
 y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
-x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Bn=class{constructor(e=0,t=0,n=0,s=1){
-this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],m=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==m){let p=l*h+c*f+d*m+u*y;p<0&&(h=-h,f=-f,m=-m,y=-y,p=-p);let g=1-a;if(p<.9995){let _=Math.acos(p),S=Math.sin(_);g=Math.sin(
-g*_)/S,a=Math.sin(a*_)/S,l=l*g+h*a,c=c*g+f*a,d=d*g+m*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+m*a,u=u*g+y*a;let _=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=_,c*=_,d*=_,
-u*=_}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],m=r[o+3];return e[t]=
-a*m+d*u+l*f-c*h,e[t+1]=l*m+d*h+c*u-a*f,e[t+2]=c*m+d*f+a*h-l*u,e[t+3]=d*m-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
+x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},On=class{constructor(e=0,t=0,n=0,s=1){
+this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],p=r[o+2],
+y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let m=l*h+c*f+d*p+u*y;m<0&&(h=-h,f=-f,p=-p,y=-y,m=-m);let g=1-a;if(m<.9995){let x=Math.acos(m),w=Math.sin(x);g=Math.sin(
+g*x)/w,a=Math.sin(a*x)/w,l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
+u*=x}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
+a*p+d*u+l*f-c*h,e[t+1]=l*p+d*h+c*u-a*f,e[t+2]=c*p+d*f+a*h-l*u,e[t+3]=d*p-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
 _w=e,this._onChangeCallback()}set(e,t,n,s){return this._x=e,this._y=t,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this.
 _x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let n=e._x,s=e._y,
-r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(n/2),d=a(s/2),u=a(r/2),h=l(n/2),f=l(s/2),m=l(r/2);switch(o){case"XYZ":this._x=h*d*u+c*f*m,this._y=c*f*u-h*d*m,this._z=
-c*d*m+h*f*u,this._w=c*d*u-h*f*m;break;case"YXZ":this._x=h*d*u+c*f*m,this._y=c*f*u-h*d*m,this._z=c*d*m-h*f*u,this._w=c*d*u+h*f*m;break;case"ZXY":this._x=h*d*u-c*
-f*m,this._y=c*f*u+h*d*m,this._z=c*d*m+h*f*u,this._w=c*d*u-h*f*m;break;case"ZYX":this._x=h*d*u-c*f*m,this._y=c*f*u+h*d*m,this._z=c*d*m-h*f*u,this._w=c*d*u+h*f*m;
-break;case"YZX":this._x=h*d*u+c*f*m,this._y=c*f*u+h*d*m,this._z=c*d*m-h*f*u,this._w=c*d*u-h*f*m;break;case"XZY":this._x=h*d*u-c*f*m,this._y=c*f*u-h*d*m,this._z=
-c*d*m+h*f*u,this._w=c*d*u+h*f*m;break;default:$e("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){
+r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(n/2),d=a(s/2),u=a(r/2),h=l(n/2),f=l(s/2),p=l(r/2);switch(o){case"XYZ":this._x=h*d*u+c*f*p,this._y=c*f*u-h*d*p,this._z=
+c*d*p+h*f*u,this._w=c*d*u-h*f*p;break;case"YXZ":this._x=h*d*u+c*f*p,this._y=c*f*u-h*d*p,this._z=c*d*p-h*f*u,this._w=c*d*u+h*f*p;break;case"ZXY":this._x=h*d*u-c*
+f*p,this._y=c*f*u+h*d*p,this._z=c*d*p+h*f*u,this._w=c*d*u-h*f*p;break;case"ZYX":this._x=h*d*u-c*f*p,this._y=c*f*u+h*d*p,this._z=c*d*p-h*f*u,this._w=c*d*u+h*f*p;
+break;case"YZX":this._x=h*d*u+c*f*p,this._y=c*f*u+h*d*p,this._z=c*d*p-h*f*u,this._w=c*d*u-h*f*p;break;case"XZY":this._x=h*d*u-c*f*p,this._y=c*f*u-h*d*p,this._z=
+c*d*p+h*f*u,this._w=c*d*u+h*f*p;break;default:qe("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){
 let n=t/2,s=Math.sin(n);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,
 n=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],d=t[6],u=t[10],h=n+a+u;if(h>0){let f=.5/Math.sqrt(h+1);this._w=.25/f,this._x=(d-l)*f,this._y=(r-c)*f,this._z=(o-
 s)*f}else if(n>a&&n>u){let f=2*Math.sqrt(1+n-a-u);this._w=(d-l)/f,this._x=.25*f,this._y=(s+o)/f,this._z=(r+c)/f}else if(a>u){let f=2*Math.sqrt(1+a-n-u);this._w=
@@ -535,8 +536,8 @@ r3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this
 x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){
 return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){
 return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=
-e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Up.setFromEuler(e))}applyAxisAngle(e,t){
-return this.applyQuaternion(Up.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
+e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(kp.setFromEuler(e))}applyAxisAngle(e,t){
+return this.applyQuaternion(kp.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
 t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.
 elements,o=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*
 o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*n),d=2*(a*t-r*s),u=2*(r*n-o*t);return this.x=t+l*c+o*u-a*d,this.y=n+
@@ -554,7 +555,7 @@ return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return thi
 e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.
 y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.
 y=r*o-n*l,this.z=n*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){
-return Kh.copy(this).projectOnVector(e),this.sub(Kh)}reflect(e){return this.sub(Kh.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*
+return jh.copy(this).projectOnVector(e),this.sub(jh)}reflect(e){return this.sub(jh.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*
 e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(at(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){
 let t=this.x-e.x,n=this.y-e.y,s=this.z-e.z;return t*t+n*n+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){
 return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,n){let s=Math.sin(t)*e;return this.x=s*Math.sin(n),this.y=Math.cos(t)*e,this.
@@ -565,59 +566,59 @@ return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.from
 this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],
 this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(
 t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.
-random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},Kh=new V,
-Up=new Bn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
+random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},jh=new V,
+kp=new On,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
 let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]=o,d[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],m=n[8],y=s[0],p=s[3],g=s[6],_=s[1],S=s[4],M=s[7],C=s[2],T=s[5],x=s[8];return r[0]=
-o*y+a*_+l*C,r[3]=o*p+a*S+l*T,r[6]=o*g+a*M+l*x,r[1]=c*y+d*_+u*C,r[4]=c*p+d*S+u*T,r[7]=c*g+d*M+u*x,r[2]=h*y+f*_+m*C,r[5]=h*p+f*S+m*T,r[8]=h*g+f*M+m*x,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],m=s[3],g=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
+o*y+a*x+l*C,r[3]=o*m+a*w+l*S,r[6]=o*g+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*m+d*w+u*S,r[7]=c*g+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*m+f*w+p*S,r[8]=h*g+f*b+p*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
-d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,m=t*u+n*h+s*f;if(m===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/m;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
+d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
 h*y,e[4]=(d*t-s*l)*y,e[5]=(s*r-a*t)*y,e[6]=f*y,e[7]=(n*l-c*t)*y,e[8]=(o*t-n*r)*y,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=
 t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=
 t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.
-set(n*l,n*c,-n*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return Fo("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(
-jh.makeScale(e,t)),this}rotate(e){return Fo("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(jh.makeRotation(-e)),this}translate(e,t){
-return Fo("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(jh.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?
+set(n*l,n*c,-n*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return Bo("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(
+Qh.makeScale(e,t)),this}rotate(e){return Bo("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(Qh.makeRotation(-e)),this}translate(e,t){
+return Bo("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(Qh.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?
 this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){
 return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},jh=new Qe,Fp=new Qe().set(.4123908,.3575843,.1804808,.212639,
-.7151687,.0721923,.0193308,.1191948,.9505322),Op=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function ey(){
-let i={enabled:!0,workingColorSpace:Bo,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=is(s.r),s.
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},Qh=new Qe,zp=new Qe().set(.4123908,.3575843,.1804808,.212639,
+.7151687,.0721923,.0193308,.1191948,.9505322),Vp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function sy(){
+let i={enabled:!0,workingColorSpace:zo,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=is(s.r),s.
 g=is(s.g),s.b=is(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
-transfer===At&&(s.r=Xr(s.r),s.g=Xr(s.g),s.b=Xr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
-return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===ds?ko:this.spaces[s].
+transfer===At&&(s.r=$r(s.r),s.g=$r(s.g),s.b=$r(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
+return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===ds?Vo:this.spaces[s].
 transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){
 return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].
 fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
-{[Bo]:{primaries:e,whitePoint:n,transfer:ko,toXYZ:Fp,fromXYZ:Op,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
-[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Fp,fromXYZ:Op,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=ey();function is(i){
-return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Xr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Rr,Rl=class{static getDataURL(e,t="\
-image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Rr===void 0&&(Rr=zo("canvas")),
-Rr.width=e.width,Rr.height=e.height;let s=Rr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Rr}return n.toDataURL(
+{[zo]:{primaries:e,whitePoint:n,transfer:Vo,toXYZ:zp,fromXYZ:Vp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
+[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:zp,fromXYZ:Vp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=sy();function is(i){
+return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function $r(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Pr,Rl=class{static getDataURL(e,t="\
+image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Pr===void 0&&(Pr=Go("canvas")),
+Pr.width=e.width,Pr.height=e.height;let s=Pr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Pr}return n.toDataURL(
 t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<
-"u"&&e instanceof ImageBitmap){let t=zo("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
+"u"&&e instanceof ImageBitmap){let t=Go("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=is(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(is(t[n]/255)*255):t[n]=is(t[n]);return{data:t,width:e.width,height:e.height}}else
-return $e("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},ty=0,Zr=class{constructor(e=null){this.isTextureSource=!0,
-Object.defineProperty(this,"id",{value:ty++}),this.uuid=xa(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
+return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},ry=0,Jr=class{constructor(e=null){this.isTextureSource=!0,
+Object.defineProperty(this,"id",{value:ry++}),this.uuid=va(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
-s[o].isDataTexture?r.push(Qh(s[o].image)):r.push(Qh(s[o]))}else r=Qh(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function Qh(i){return typeof HTMLImageElement<
+s[o].isDataTexture?r.push(eu(s[o].image)):r.push(eu(s[o]))}else r=eu(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function eu(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Rl.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:($e("Texture: Unable to serialize Texture."),{})}var ny=0,eu=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=On,o=hs,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=ds){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:ny++}),this.uuid=xa(),this.name="",this.source=new Zr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var oy=0,tu=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=Fn,o=hs,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=ds){super(),this.
+isTexture=!0,Object.defineProperty(this,"id",{value:oy++}),this.uuid=va(),this.name="",this.source=new Jr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new st(0,0),this.repeat=
 new st(1,1),this.center=new st(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
-!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(eu).x}get height(){
-return this.source.getSize(eu).y}get depth(){return this.source.getSize(eu).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){
+!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(tu).x}get height(){
+return this.source.getSize(tu).y}get depth(){return this.source.getSize(tu).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){
 this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.
 push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=
 e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=
@@ -626,7 +627,7 @@ e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.
 generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.
 unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,
 this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let n=e[t];if(n===
-void 0){$e("Texture.setValues(): parameter '".concat(t,"' has value of undefined."));continue}let s=this[t];if(s===void 0){$e("Texture.setValues(): property '".
+void 0){qe("Texture.setValues(): parameter '".concat(t,"' has value of undefined."));continue}let s=this[t];if(s===void 0){qe("Texture.setValues(): property '".
 concat(t,"' does not exist."));continue}s&&n&&s.isVector2&&n.isVector2||s&&n&&s.isVector3&&n.isVector3||s&&n&&s.isMatrix3&&n.isMatrix3?s.copy(n):this[t]=n}}toJSON(e){
 let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let n={metadata:{version:4.7,type:"Texture",generator:"T\
 exture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[
@@ -634,10 +635,10 @@ this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.
 type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,
 generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.
 keys(this.userData).length>0&&(n.userData=this.userData),t||(e.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==
-zu)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case Tl:e.x=e.x-Math.floor(e.x);break;case Fi:e.x=e.x<0?0:1;break;case Al:Math.abs(Math.
+Vu)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case Tl:e.x=e.x-Math.floor(e.x);break;case Fi:e.x=e.x<0?0:1;break;case Al:Math.abs(Math.
 floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case Tl:e.y=e.y-Math.floor(e.y);break;case Fi:e.y=e.y<
 0?0:1;break;case Al:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===
-!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};Gn.DEFAULT_IMAGE=null;Gn.DEFAULT_MAPPING=zu;Gn.DEFAULT_ANISOTROPY=
+!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};Gn.DEFAULT_IMAGE=null;Gn.DEFAULT_MAPPING=Vu;Gn.DEFAULT_ANISOTROPY=
 1;var Wt=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,n=0,s=1){this.x=e,this.y=t,this.z=n,this.w=s}get width(){return this.z}set width(e){this.z=
 e}get height(){return this.w}set height(e){this.w=e}set(e,t,n,s){return this.x=e,this.y=t,this.z=n,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,
 this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:
@@ -651,11 +652,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],m=l[9],y=l[2],p=l[6],g=l[10];if(Math.abs(
-d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(m-p)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(m+p)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let S=(c+1)/2,M=(f+1)/2,C=(g+1)/2,T=(d+h)/4,x=(u+y)/4,b=(m+p)/4;return S>M&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=T/n,r=x/n):M>C?M<.01?
-(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=T/s,r=b/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=x/r,s=b/r),this.set(n,s,r,t),this}let _=Math.
-sqrt((p-m)*(p-m)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(_)<.001&&(_=1),this.x=(p-m)/_,this.y=(u-y)/_,this.z=(h-d)/_,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],m=l[6],g=l[10];if(Math.abs(
+d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-m)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+m)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let w=(c+1)/2,b=(f+1)/2,C=(g+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+m)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
+(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=S/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
+sqrt((m-p)*(m-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(m-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=at(this.x,e.x,t.x),this.y=at(this.y,e.y,t.y),this.z=at(this.z,e.z,t.z),this.w=at(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -671,7 +672,7 @@ w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*
 x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.
 x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){
 return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.
-w}},Pl=class extends Oi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:On,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,
+w}},Pl=class extends Oi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Fn,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,
 resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,
 samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},n),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=n.depth,this.scissor=new Wt(0,0,
 e,t),this.scissorTest=!1,this.viewport=new Wt(0,0,e,t),this.textures=[];let s=n.count;for(let r=0;r<s;r++)this.textures[r]=new Gn({width:e,height:t,depth:n.depth}),
@@ -679,7 +680,7 @@ this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;thi
 this.resolveColorBuffer=n.resolveColorBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this.storeMultisampledColorBuffer=
 n.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=n.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=n.storeMultisampledStencilBuffer,
 this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview,this.useArrayDepthTexture=n.useArrayDepthTexture}_setTextureOptions(e={}){
-let t={minFilter:On,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&
+let t={minFilter:Fn,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&
 (t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==
 void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),
 e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),
@@ -690,49 +691,49 @@ n){this.width=e,this.height=t,this.depth=n;for(let s=0,r=this.textures.length;s<
 image.depth=n,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),
 this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(
 e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,n=e.textures.length;t<n;t++){this.textures[t]=e.textures[t].
-clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Zr(
+clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Jr(
 s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,
 this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,
 this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=
 null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=
 e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=class extends Pl{constructor(e=1,t=1,n={}){super(e,t,n),this.isWebGLRenderTarget=
-!0}},Vo=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=bn,this.
-minFilter=bn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
-this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Il=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=bn,this.
-minFilter=bn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,m,y,p){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,d,u,h,f,m,y,p)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,m,y,p){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
-c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=m,g[11]=y,g[15]=p,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+!0}},Ho=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
+minFilter=Mn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
+this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Il=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
+minFilter=Mn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
+c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=p,g[11]=y,g[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
 0?(e.set(1,0,0),t.set(0,1,0),n.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this)}makeBasis(e,t,n){
 return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,
-n=e.elements,s=1/Pr.setFromMatrixColumn(e,0).length(),r=1/Pr.setFromMatrixColumn(e,1).length(),o=1/Pr.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=
+n=e.elements,s=1/Ir.setFromMatrixColumn(e,0).length(),r=1/Ir.setFromMatrixColumn(e,1).length(),o=1/Ir.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=
 n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){
-let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(s),c=Math.sin(s),d=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let h=o*d,f=o*u,m=a*
-d,y=a*u;t[0]=l*d,t[4]=-l*u,t[8]=c,t[1]=f+m*c,t[5]=h-y*c,t[9]=-a*l,t[2]=y-h*c,t[6]=m+f*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*d,f=l*u,m=c*d,y=c*u;t[0]=h+y*
-a,t[4]=m*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-m,t[6]=y+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*d,f=l*u,m=c*d,y=c*u;t[0]=h-y*a,t[4]=-o*u,t[8]=m+
-f*a,t[1]=f+m*a,t[5]=o*d,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,m=a*d,y=a*u;t[0]=l*d,t[4]=m*c-f,t[8]=h*c+y,t[1]=l*u,t[5]=
-y*c+h,t[9]=f*c-m,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,m=a*l,y=a*c;t[0]=l*d,t[4]=y-h*u,t[8]=m*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
-d,t[6]=f*u+m,t[10]=h-y*u}else if(e.order==="XZY"){let h=o*l,f=o*c,m=a*l,y=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+y,t[5]=o*d,t[9]=f*u-m,t[2]=m*u-f,t[6]=a*d,t[10]=
-y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(iy,e,sy)}lookAt(e,t,n){let s=this.elements;
+let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(s),c=Math.sin(s),d=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let h=o*d,f=o*u,p=a*
+d,y=a*u;t[0]=l*d,t[4]=-l*u,t[8]=c,t[1]=f+p*c,t[5]=h-y*c,t[9]=-a*l,t[2]=y-h*c,t[6]=p+f*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*d,f=l*u,p=c*d,y=c*u;t[0]=h+y*
+a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=y+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*d,f=l*u,p=c*d,y=c*u;t[0]=h-y*a,t[4]=-o*u,t[8]=p+
+f*a,t[1]=f+p*a,t[5]=o*d,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,y=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+y,t[1]=l*u,t[5]=
+y*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=y-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
+d,t[6]=f*u+p,t[10]=h-y*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+y,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
+y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(ay,e,ly)}lookAt(e,t,n){let s=this.elements;
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ms.crossVectors(n,Kn),Ms.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
-Ms.crossVectors(n,Kn)),Ms.normalize(),qa.crossVectors(Kn,Ms),s[0]=Ms.x,s[4]=qa.x,s[8]=Kn.x,s[1]=Ms.y,s[5]=qa.y,s[9]=Kn.y,s[2]=Ms.z,s[6]=qa.z,s[10]=Kn.z,this}multiply(e){
+Ms.crossVectors(n,Kn)),Ms.normalize(),$a.crossVectors(Kn,Ms),s[0]=Ms.x,s[4]=$a.x,s[8]=Kn.x,s[1]=Ms.y,s[5]=$a.y,s[9]=Kn.y,s[2]=Ms.z,s[6]=$a.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],m=n[2],y=n[6],p=n[10],g=n[14],_=n[3],S=n[7],M=n[11],C=n[15],T=s[0],x=s[4],b=s[8],L=s[12],R=s[1],P=s[5],F=s[9],
-z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*T+a*R+l*D+c*ce,r[4]=o*x+a*P+l*G+c*K,r[8]=o*b+a*F+l*Y+c*Q,r[12]=o*L+a*z+l*W+c*
-se,r[1]=d*T+u*R+h*D+f*ce,r[5]=d*x+u*P+h*G+f*K,r[9]=d*b+u*F+h*Y+f*Q,r[13]=d*L+u*z+h*W+f*se,r[2]=m*T+y*R+p*D+g*ce,r[6]=m*x+y*P+p*G+g*K,r[10]=m*b+y*F+p*Y+g*Q,r[14]=
-m*L+y*z+p*W+g*se,r[3]=_*T+S*R+M*D+C*ce,r[7]=_*x+S*P+M*G+C*K,r[11]=_*b+S*F+M*Y+C*Q,r[15]=_*L+S*z+M*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],m=n[10],g=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],P=s[12],R=s[1],I=s[5],F=s[9],
+z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*R+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*P+a*z+l*W+c*
+se,r[1]=d*S+u*R+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*P+u*z+h*W+f*se,r[2]=p*S+y*R+m*D+g*ce,r[6]=p*_+y*I+m*G+g*K,r[10]=p*M+y*F+m*Y+g*Q,r[14]=
+p*P+y*z+m*W+g*se,r[3]=x*S+w*R+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*P+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],m=e[3],y=e[7],p=e[11],g=e[15],_=l*f-c*h,S=a*f-c*u,M=a*h-l*u,C=o*f-c*d,T=o*
-h-l*d,x=o*u-a*d;return t*(y*_-p*S+g*M)-n*(m*_-p*C+g*T)+s*(m*S-y*C+g*x)-r*(m*M-y*T+p*x)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],m=e[11],g=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
+h-l*d,_=o*u-a*d;return t*(y*x-m*w+g*b)-n*(p*x-m*C+g*S)+s*(p*w-y*C+g*_)-r*(p*b-y*S+m*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],m=e[12],y=e[13],p=e[14],g=e[15],_=t*a-n*o,S=t*l-s*o,M=t*c-r*o,C=n*l-s*a,T=n*c-r*a,x=s*c-r*l,b=d*y-u*m,L=d*p-h*m,R=d*g-f*m,P=u*p-h*y,F=u*g-f*y,z=h*
-g-f*p,D=_*z-S*F+M*P+C*R-T*L+x*b;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*P)*G,e[1]=(s*F-n*z-r*P)*G,e[2]=(y*x-p*
-T+g*C)*G,e[3]=(h*T-u*x-f*C)*G,e[4]=(l*R-o*z-c*L)*G,e[5]=(t*z-s*R+r*L)*G,e[6]=(p*M-m*x-g*S)*G,e[7]=(d*x-h*M+f*S)*G,e[8]=(o*F-a*R+c*b)*G,e[9]=(n*R-t*F-r*b)*G,e[10]=
-(m*T-y*M+g*_)*G,e[11]=(u*M-d*T-f*_)*G,e[12]=(a*L-o*P-l*b)*G,e[13]=(t*P-n*L+s*b)*G,e[14]=(y*S-m*C-p*_)*G,e[15]=(d*C-u*S+h*_)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],p=e[12],y=e[13],m=e[14],g=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,P=d*m-h*p,R=d*g-f*p,I=u*m-h*y,F=u*g-f*y,z=h*
+g-f*m,D=x*z-w*F+b*I+C*R-S*P+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-m*
+S+g*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*R-o*z-c*P)*G,e[5]=(t*z-s*R+r*P)*G,e[6]=(m*b-p*_-g*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*R+c*M)*G,e[9]=(n*R-t*F-r*M)*G,e[10]=
+(p*S-y*b+g*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*P-o*I-l*M)*G,e[13]=(t*I-n*P+s*M)*G,e[14]=(y*w-p*C-m*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -740,20 +741,20 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,m=r*u,y=o*d,p=o*u,g=a*u,_=l*c,S=l*d,M=l*u,C=n.x,T=n.y,x=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+M)*C,s[2]=(m-S)*C,s[3]=0,s[4]=(f-
-M)*T,s[5]=(1-(h+g))*T,s[6]=(p+_)*T,s[7]=0,s[8]=(m+S)*x,s[9]=(p-_)*x,s[10]=(1-(h+y))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
-elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Pr.set(s[0],s[1],s[2]).length(),a=Pr.
-set(s[4],s[5],s[6]).length(),l=Pr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
-c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=li,l=!1){
-let c=this.elements,d=2*r/(t-e),u=2*r/(n-s),h=(t+e)/(t-e),f=(n+s)/(n-s),m,y;if(l)m=r/(o-r),y=o*r/(o-r);else if(a===li)m=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===
-$r)m=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
-u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=m,c[14]=y,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=li,l=!1){let c=this.elements,d=2/(t-e),u=2/(n-
-s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),m,y;if(l)m=1/(o-r),y=o/(o-r);else if(a===li)m=-2/(o-r),y=-(o+r)/(o-r);else if(a===$r)m=-1/(o-r),y=-r/(o-r);else throw new Error(
-"THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=m,c[14]=
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,m=o*u,g=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
+b)*S,s[5]=(1-(h+g))*S,s[6]=(m+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(m-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Ir.set(s[0],s[1],s[2]).length(),a=Ir.
+set(s[4],s[5],s[6]).length(),l=Ir.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
+c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=ci,l=!1){
+let c=this.elements,d=2*r/(t-e),u=2*r/(n-s),h=(t+e)/(t-e),f=(n+s)/(n-s),p,y;if(l)p=r/(o-r),y=o*r/(o-r);else if(a===ci)p=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===
+Yr)p=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
+u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=y,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=ci,l=!1){let c=this.elements,d=2/(t-e),u=2/(n-
+s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===ci)p=-2/(o-r),y=-(o+r)/(o-r);else if(a===Yr)p=-1/(o-r),y=-r/(o-r);else throw new Error(
+"THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
 y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Pr=new V,xi=new xt,iy=new V(
-0,0,0),sy=new V(1,1,1),Ms=new V,qa=new V,Kn=new V,Bp=new xt,kp=new Bn,rs=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Ir=new V,xi=new xt,ay=new V(
+0,0,0),ly=new V(1,1,1),Ms=new V,$a=new V,Kn=new V,Gp=new xt,Hp=new On,rs=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -764,43 +765,43 @@ atan2(l,c)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.as
 -o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-at(u,-1,1)),Math.abs(u)<.9999999?(this._x=Math.atan2(h,f),this._z=Math.atan2(l,r)):
 (this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(at(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-d,c),this._y=Math.atan2(-u,r)):(this.
 _x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-at(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.
-atan2(-d,f),this._y=0);break;default:$e("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),
-this}setFromQuaternion(e,t,n){return Bp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Bp,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
-e.z,t)}reorder(e){return kp.setFromEuler(this),this.setFromQuaternion(kp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
+atan2(-d,f),this._y=0);break;default:qe("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),
+this}setFromQuaternion(e,t,n){return Gp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Gp,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
+e.z,t)}reorder(e){return Hp.setFromEuler(this),this.setFromQuaternion(Hp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
 return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this.
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
-_z,yield this._order}};rs.DEFAULT_ORDER="XYZ";var Jr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
+_z,yield this._order}};rs.DEFAULT_ORDER="XYZ";var Kr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},ry=0,zp=new V,Ir=new Bn,ji=new xt,$a=new V,Ro=new V,oy=new V,ay=new Bn,Vp=new V(1,0,0),Gp=new V(0,1,0),Hp=new V(0,0,1),Wp={type:"added"},ly={type:"\
-removed"},Lr={type:"childadded",child:null},tu={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:ry++}),this.uuid=xa(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new rs,n=new Bn,
+(1<<e|0))!==0}},cy=0,Wp=new V,Lr=new On,ji=new xt,qa=new V,Io=new V,hy=new V,uy=new On,Xp=new V(1,0,0),$p=new V(0,1,0),qp=new V(0,0,1),Yp={type:"added"},dy={type:"\
+removed"},Nr={type:"childadded",child:null},nu={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
+this,"id",{value:cy++}),this.uuid=va(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new rs,n=new On,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
-this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Jr,this.visible=!0,this.castShadow=!1,this.receiveShadow=
+this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Kr,this.visible=!0,this.castShadow=!1,this.receiveShadow=
 !1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},
 this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(
 e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){
 return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(
-e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Ir.setFromAxisAngle(
-e,t),this.quaternion.multiply(Ir),this}rotateOnWorldAxis(e,t){return Ir.setFromAxisAngle(e,t),this.quaternion.premultiply(Ir),this}rotateX(e){return this.rotateOnAxis(
-Vp,e)}rotateY(e){return this.rotateOnAxis(Gp,e)}rotateZ(e){return this.rotateOnAxis(Hp,e)}translateOnAxis(e,t){return zp.copy(e).applyQuaternion(this.quaternion),
-this.position.add(zp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Vp,e)}translateY(e){return this.translateOnAxis(Gp,e)}translateZ(e){return this.
-translateOnAxis(Hp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
-e.applyMatrix4(ji.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?$a.copy(e):$a.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),Ro.setFromMatrixPosition(
-this.matrixWorld),this.isCamera||this.isLight?ji.lookAt(Ro,$a,this.up):ji.lookAt($a,Ro,this.up),this.quaternion.setFromRotationMatrix(ji),s&&(ji.extractRotation(
-s.matrixWorld),Ir.setFromRotationMatrix(ji),this.quaternion.premultiply(Ir.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
+e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Lr.setFromAxisAngle(
+e,t),this.quaternion.multiply(Lr),this}rotateOnWorldAxis(e,t){return Lr.setFromAxisAngle(e,t),this.quaternion.premultiply(Lr),this}rotateX(e){return this.rotateOnAxis(
+Xp,e)}rotateY(e){return this.rotateOnAxis($p,e)}rotateZ(e){return this.rotateOnAxis(qp,e)}translateOnAxis(e,t){return Wp.copy(e).applyQuaternion(this.quaternion),
+this.position.add(Wp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Xp,e)}translateY(e){return this.translateOnAxis($p,e)}translateZ(e){return this.
+translateOnAxis(qp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
+e.applyMatrix4(ji.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?qa.copy(e):qa.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),Io.setFromMatrixPosition(
+this.matrixWorld),this.isCamera||this.isLight?ji.lookAt(Io,qa,this.up):ji.lookAt(qa,Io,this.up),this.quaternion.setFromRotationMatrix(ji),s&&(ji.extractRotation(
+s.matrixWorld),Lr.setFromRotationMatrix(ji),this.quaternion.premultiply(Lr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
-this,this.children.push(e),e.dispatchEvent(Wp),Lr.child=e,this.dispatchEvent(Lr),Lr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
+this,this.children.push(e),e.dispatchEvent(Yp),Nr.child=e,this.dispatchEvent(Nr),Nr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
-parent=null,this.children.splice(t,1),e.dispatchEvent(ly),tu.child=e,this.dispatchEvent(tu),tu.child=null),this}removeFromParent(){let e=this.parent;return e!==
+parent=null,this.children.splice(t,1),e.dispatchEvent(dy),nu.child=e,this.dispatchEvent(nu),nu.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),ji.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),ji.multiply(e.parent.matrixWorld)),e.applyMatrix4(ji),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
-!1,!0),e.dispatchEvent(Wp),Lr.child=e,this.dispatchEvent(Lr),Lr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
+!1,!0),e.dispatchEvent(Yp),Nr.child=e,this.dispatchEvent(Nr),Nr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
-!0,!1),this.matrixWorld.decompose(Ro,e,oy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ro,ay,e),e}getWorldDirection(e){this.
+!0,!1),this.matrixWorld.decompose(Io,e,hy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Io,uy,e),e}getWorldDirection(e){this.
 updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.
 children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)
 t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,
@@ -832,8 +833,8 @@ s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,th
 this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);
 if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){
 s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),
-c=o(e.textures),d=o(e.images),u=o(e.shapes),h=o(e.skeletons),f=o(e.animations),m=o(e.nodes);a.length>0&&(n.geometries=a),l.length>0&&(n.materials=l),c.length>0&&
-(n.textures=c),d.length>0&&(n.images=d),u.length>0&&(n.shapes=u),h.length>0&&(n.skeletons=h),f.length>0&&(n.animations=f),m.length>0&&(n.nodes=m)}return n.object=
+c=o(e.textures),d=o(e.images),u=o(e.shapes),h=o(e.skeletons),f=o(e.animations),p=o(e.nodes);a.length>0&&(n.geometries=a),l.length>0&&(n.materials=l),c.length>0&&
+(n.textures=c),d.length>0&&(n.images=d),u.length>0&&(n.shapes=u),h.length>0&&(n.skeletons=h),f.length>0&&(n.animations=f),p.length>0&&(n.nodes=p)}return n.object=
 s,n;function o(a){let l=[];for(let c in a){let d=a[c];delete d.metadata,l.push(d)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.
 name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.
 pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=
@@ -841,7 +842,7 @@ e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,thi
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};wn.DEFAULT_UP=new V(0,1,0);wn.DEFAULT_MATRIX_AUTO_UPDATE=!0;wn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Vn=class extends wn{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},cy={type:"move"},Kr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},fy={type:"move"},jr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new Vn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new Vn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===
@@ -851,17 +852,17 @@ _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatch
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
 r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){
-let p=t.getJointPose(y,n),g=this._getHandJoint(c,y);p!==null&&(g.matrix.fromArray(p.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
-!0,g.jointRadius=p.radius),g.visible=p!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,m=.005;c.inputState.
-pinching&&h>f+m?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-m&&(c.inputState.
+let m=t.getJointPose(y,n),g=this._getHandJoint(c,y);m!==null&&(g.matrix.fromArray(m.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
+!0,g.jointRadius=m.radius),g.visible=m!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
+pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.
 pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
 fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
 copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&
 l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
 transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(
 s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(
-cy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
-let n=new Vn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},Jm={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
+fy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
+let n=new Vn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},eg={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
 aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,
 chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,
 darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,
@@ -877,38 +878,38 @@ olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:143157
 papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,
 royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,
 slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,
-violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},bs={h:0,s:0,l:0},Ya={h:0,s:0,l:0};function nu(i,e,t){return t<
+violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Ss={h:0,s:0,l:0},Ya={h:0,s:0,l:0};function iu(i,e,t){return t<
 0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var rt=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,_t.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=_t.workingColorSpace){return this.r=e,this.g=t,this.b=n,_t.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=_t.
-workingColorSpace){if(e=Kx(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=nu(o,r,e+1/3),this.g=nu(o,r,
-e),this.b=nu(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function n(r){r!==void 0&&parseFloat(r)<1&&$e("Color: Alpha component of "+e+
+workingColorSpace){if(e=ty(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=iu(o,r,e+1/3),this.g=iu(o,r,
+e),this.b=iu(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function n(r){r!==void 0&&parseFloat(r)<1&&qe("Color: Alpha component of "+e+
 " will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"\
 hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(
-r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:$e("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.
+r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:qe("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.
 exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.
-setHex(parseInt(r,16),t);$e("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Qn){let n=Jm[e.toLowerCase()];
-return n!==void 0?this.setHex(n,t):$e("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=
-e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=is(e.r),this.g=is(e.g),this.b=is(e.b),this}copyLinearToSRGB(e){return this.r=Xr(e.r),this.g=Xr(e.g),this.b=
-Xr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Qn){return _t.
+setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Qn){let n=eg[e.toLowerCase()];
+return n!==void 0?this.setHex(n,t):qe("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=
+e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=is(e.r),this.g=is(e.g),this.b=is(e.b),this}copyLinearToSRGB(e){return this.r=$r(e.r),this.g=$r(e.g),this.b=
+$r(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Qn){return _t.
 workingToColorSpace(En.copy(this),e),Math.round(at(En.r*255,0,255))*65536+Math.round(at(En.g*255,0,255))*256+Math.round(at(En.b*255,0,255))}getHexString(e=Qn){return("\
 000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=_t.workingColorSpace){_t.workingToColorSpace(En.copy(this),t);let n=En.r,s=En.g,r=En.b,o=Math.max(n,s,
 r),a=Math.min(n,s,r),l,c,d=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=d<=.5?u/(o+a):u/(2-o-a),o){case n:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-n)/u+2;break;case r:
 l=(n-s)/u+4;break}l/=6}return e.h=l,e.s=c,e.l=d,e}getRGB(e,t=_t.workingColorSpace){return _t.workingToColorSpace(En.copy(this),t),e.r=En.r,e.g=En.g,e.b=En.b,e}getStyle(e=Qn){
 _t.workingToColorSpace(En.copy(this),e);let t=En.r,n=En.g,s=En.b;return e!==Qn?"color(".concat(e," ").concat(t.toFixed(3)," ").concat(n.toFixed(3)," ").concat(s.
-toFixed(3),")"):"rgb(".concat(Math.round(t*255),",").concat(Math.round(n*255),",").concat(Math.round(s*255),")")}offsetHSL(e,t,n){return this.getHSL(bs),this.setHSL(
-bs.h+e,bs.s+t,bs.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){
+toFixed(3),")"):"rgb(".concat(Math.round(t*255),",").concat(Math.round(n*255),",").concat(Math.round(s*255),")")}offsetHSL(e,t,n){return this.getHSL(Ss),this.setHSL(
+Ss.h+e,Ss.s+t,Ss.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){
 return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){
 return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-
 this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(
-bs),e.getHSL(Ya);let n=Jh(bs.h,Ya.h,t),s=Jh(bs.s,Ya.s,t),r=Jh(bs.l,Ya.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=
+Ss),e.getHSL(Ya);let n=Kh(Ss.h,Ya.h,t),s=Kh(Ss.s,Ya.s,t),r=Kh(Ss.l,Ya.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
-iterator](){yield this.r,yield this.g,yield this.b}},En=new rt;rt.NAMES=Jm;var Go=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
+iterator](){yield this.r,yield this.g,yield this.b}},En=new rt;rt.NAMES=eg;var Wo=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
 0,this.backgroundIntensity=1,this.backgroundRotation=new rs,this.environmentIntensity=1,this.environmentRotation=new rs,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<
 "u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.
 clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,
@@ -916,25 +917,25 @@ this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.ba
 copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){
 let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=
 this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=
-this.environmentRotation.toArray(),t}},yi=new V,Qi=new V,iu=new V,es=new V,Nr=new V,Dr=new V,Xp=new V,su=new V,ru=new V,ou=new V,au=new Wt,lu=new Wt,cu=new Wt,Ui=class i{constructor(e=new V,t=new V,n=new V){
+this.environmentRotation.toArray(),t}},yi=new V,Qi=new V,su=new V,es=new V,Dr=new V,Ur=new V,Zp=new V,ru=new V,ou=new V,au=new V,lu=new Wt,cu=new Wt,hu=new Wt,Ui=class i{constructor(e=new V,t=new V,n=new V){
 this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),yi.subVectors(e,t),s.cross(yi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(
-r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){yi.subVectors(s,t),Qi.subVectors(n,t),iu.subVectors(e,t);let o=yi.dot(yi),a=yi.dot(Qi),l=yi.dot(iu),c=Qi.dot(Qi),
-d=Qi.dot(iu),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,m=(o*d-a*l)*h;return r.set(1-f-m,m,f)}static containsPoint(e,t,n,s){return this.
+r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){yi.subVectors(s,t),Qi.subVectors(n,t),su.subVectors(e,t);let o=yi.dot(yi),a=yi.dot(Qi),l=yi.dot(su),c=Qi.dot(Qi),
+d=Qi.dot(su),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,p=(o*d-a*l)*h;return r.set(1-f-p,p,f)}static containsPoint(e,t,n,s){return this.
 getBarycoord(e,t,n,s,es)===null?!1:es.x>=0&&es.y>=0&&es.x+es.y<=1}static getInterpolation(e,t,n,s,r,o,a,l){return this.getBarycoord(e,t,n,s,es)===null?(l.x=0,l.
 y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,es.x),l.addScaledVector(o,es.y),l.addScaledVector(a,es.z),l)}static getInterpolatedAttribute(e,t,n,s,r,o){
-return au.setScalar(0),lu.setScalar(0),cu.setScalar(0),au.fromBufferAttribute(e,t),lu.fromBufferAttribute(e,n),cu.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(
-au,r.x),o.addScaledVector(lu,r.y),o.addScaledVector(cu,r.z),o}static isFrontFacing(e,t,n,s){return yi.subVectors(n,t),Qi.subVectors(e,t),yi.cross(Qi).dot(s)<0}set(e,t,n){
+return lu.setScalar(0),cu.setScalar(0),hu.setScalar(0),lu.fromBufferAttribute(e,t),cu.fromBufferAttribute(e,n),hu.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(
+lu,r.x),o.addScaledVector(cu,r.y),o.addScaledVector(hu,r.z),o}static isFrontFacing(e,t,n,s){return yi.subVectors(n,t),Qi.subVectors(e,t),yi.cross(Qi).dot(s)<0}set(e,t,n){
 return this.a.copy(e),this.b.copy(t),this.c.copy(n),this}setFromPointsAndIndices(e,t,n,s){return this.a.copy(e[t]),this.b.copy(e[n]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,n,s){
 return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,n),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){
 return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return yi.subVectors(this.c,this.b),Qi.subVectors(this.a,this.b),yi.cross(Qi).length()*
 .5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.
 setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(
 e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){
-return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Nr.subVectors(s,n),Dr.subVectors(r,n),su.subVectors(e,n);let l=Nr.
-dot(su),c=Dr.dot(su);if(l<=0&&c<=0)return t.copy(n);ru.subVectors(e,s);let d=Nr.dot(ru),u=Dr.dot(ru);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
-d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Nr,o);ou.subVectors(e,r);let f=Nr.dot(ou),m=Dr.dot(ou);if(m>=0&&f<=m)return t.copy(r);let y=f*c-l*m;if(y<=
-0&&c>=0&&m<=0)return a=c/(c-m),t.copy(n).addScaledVector(Dr,a);let p=d*m-f*u;if(p<=0&&u-d>=0&&f-m>=0)return Xp.subVectors(r,s),a=(u-d)/(u-d+(f-m)),t.copy(s).addScaledVector(
-Xp,a);let g=1/(p+y+h);return o=y*g,a=h*g,t.copy(n).addScaledVector(Nr,o).addScaledVector(Dr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Dr.subVectors(s,n),Ur.subVectors(r,n),ru.subVectors(e,n);let l=Dr.
+dot(ru),c=Ur.dot(ru);if(l<=0&&c<=0)return t.copy(n);ou.subVectors(e,s);let d=Dr.dot(ou),u=Ur.dot(ou);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
+d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Dr,o);au.subVectors(e,r);let f=Dr.dot(au),p=Ur.dot(au);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Ur,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Zp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Zp,a);let g=1/(m+y+h);return o=y*g,a=h*g,t.copy(n).addScaledVector(Dr,o).addScaledVector(Ur,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},Bi=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(vi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(vi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -954,9 +955,9 @@ max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y
 e.center,vi),vi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):
 (t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.
 min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){
-if(this.isEmpty())return!1;this.getCenter(Po),Ja.subVectors(this.max,Po),Ur.subVectors(e.a,Po),Fr.subVectors(e.b,Po),Or.subVectors(e.c,Po),Ss.subVectors(Fr,Ur),
-ws.subVectors(Or,Fr),Zs.subVectors(Ur,Or);let t=[0,-Ss.z,Ss.y,0,-ws.z,ws.y,0,-Zs.z,Zs.y,Ss.z,0,-Ss.x,ws.z,0,-ws.x,Zs.z,0,-Zs.x,-Ss.y,Ss.x,0,-ws.y,ws.x,0,-Zs.y,Zs.
-x,0];return!hu(t,Ur,Fr,Or,Ja)||(t=[1,0,0,0,1,0,0,0,1],!hu(t,Ur,Fr,Or,Ja))?!1:(Ka.crossVectors(Ss,ws),t=[Ka.x,Ka.y,Ka.z],hu(t,Ur,Fr,Or,Ja))}clampPoint(e,t){return t.
+if(this.isEmpty())return!1;this.getCenter(Lo),Ja.subVectors(this.max,Lo),Fr.subVectors(e.a,Lo),Or.subVectors(e.b,Lo),Br.subVectors(e.c,Lo),ws.subVectors(Or,Fr),
+Ts.subVectors(Br,Or),Js.subVectors(Fr,Br);let t=[0,-ws.z,ws.y,0,-Ts.z,Ts.y,0,-Js.z,Js.y,ws.z,0,-ws.x,Ts.z,0,-Ts.x,Js.z,0,-Js.x,-ws.y,ws.x,0,-Ts.y,Ts.x,0,-Js.y,Js.
+x,0];return!uu(t,Fr,Or,Br,Ja)||(t=[1,0,0,0,1,0,0,0,1],!uu(t,Fr,Or,Br,Ja))?!1:(Ka.crossVectors(ws,Ts),t=[Ka.x,Ka.y,Ka.z],uu(t,Fr,Or,Br,Ja))}clampPoint(e,t){return t.
 copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,vi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(
 e.center),e.radius=this.getSize(vi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.
 min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(ts[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),ts[1].set(this.min.
@@ -964,11 +965,11 @@ x,this.min.y,this.max.z).applyMatrix4(e),ts[2].set(this.min.x,this.max.y,this.mi
 ts[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),ts[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),ts[6].set(this.max.x,this.max.y,this.min.
 z).applyMatrix4(e),ts[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(ts),this)}translate(e){return this.min.add(e),this.max.add(e),
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
-fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Za=new Bi,Ur=new V,Fr=new V,Or=new V,Ss=new V,ws=new V,
-Zs=new V,Po=new V,Ja=new V,Ka=new V,Js=new V;function hu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Js.fromArray(i,r);let a=s.x*Math.abs(Js.x)+s.y*Math.abs(
-Js.y)+s.z*Math.abs(Js.z),l=e.dot(Js),c=t.dot(Js),d=n.dot(Js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,hy=0,Mi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
-Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:hy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
-t:0,this.normalized=n,this.usage=Wm,this.updateRanges=[],this.gpuType=hi,this.version=0,this._normalizationScale=e!==void 0?ju(e):void 0}onUploadCallback(){}set needsUpdate(e){
+fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Za=new Bi,Fr=new V,Or=new V,Br=new V,ws=new V,Ts=new V,
+Js=new V,Lo=new V,Ja=new V,Ka=new V,Ks=new V;function uu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Ks.fromArray(i,r);let a=s.x*Math.abs(Ks.x)+s.y*Math.abs(
+Ks.y)+s.z*Math.abs(Ks.z),l=e.dot(Ks),c=t.dot(Ks),d=n.dot(Ks);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,py=0,bi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:py++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
+t:0,this.normalized=n,this.usage=Ym,this.updateRanges=[],this.gpuType=ui,this.version=0,this._normalizationScale=e!==void 0?Qu(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
 length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.
 usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<
@@ -989,8 +990,8 @@ array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,t
 r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.
 constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.
 normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;
-return t!==void 0?Math.max(e/t,-1):jx(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):Qx(e,this.array)}};var Ho=class extends Mi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Wo=class extends Mi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends Mi{constructor(e,t,n){super(new Float32Array(e),t,n)}},uy=new Bi,Io=new V,uu=new V,os=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
-center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):uy.setFromPoints(e).getCenter(
+return t!==void 0?Math.max(e/t,-1):ny(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):iy(e,this.array)}};var Xo=class extends bi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var $o=class extends bi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends bi{constructor(e,t,n){super(new Float32Array(e),t,n)}},my=new Bi,No=new V,du=new V,os=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
+center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):my.setFromPoints(e).getCenter(
 n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),
 this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(
 this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.
@@ -998,59 +999,59 @@ distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(t
 let n=this.center.distanceToSquared(e);return t.copy(e),n>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),
 t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.
 applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.
-copy(e),this.radius=0,this;Io.subVectors(e,this.center);let t=Io.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),s=(n-this.radius)*.5;this.center.addScaledVector(
-Io,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
-radius,e.radius):(uu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Io.copy(e.center).add(uu)),this.expandByPoint(Io.copy(e.center).sub(
-uu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},dy=0,ai=new xt,du=new wn,Br=new V,jn=new Bi,Lo=new Bi,
-Mn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:dy++}),this.uuid=xa(),this.name="",this.type=
+copy(e),this.radius=0,this;No.subVectors(e,this.center);let t=No.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),s=(n-this.radius)*.5;this.center.addScaledVector(
+No,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
+radius,e.radius):(du.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(No.copy(e.center).add(du)),this.expandByPoint(No.copy(e.center).sub(
+du))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},gy=0,li=new xt,fu=new wn,kr=new V,jn=new Bi,Do=new Bi,
+bn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:gy++}),this.uuid=va(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
-return Array.isArray(e)?this.index=new(Zx(e)?Wo:Ho)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
+return Array.isArray(e)?this.index=new(Qx(e)?$o:Xo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
 indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){
 return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.
 start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==
 void 0){let r=new Qe().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=
-!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return ai.
-makeRotationFromQuaternion(e),this.applyMatrix4(ai),this}rotateX(e){return ai.makeRotationX(e),this.applyMatrix4(ai),this}rotateY(e){return ai.makeRotationY(e),
-this.applyMatrix4(ai),this}rotateZ(e){return ai.makeRotationZ(e),this.applyMatrix4(ai),this}translate(e,t,n){return ai.makeTranslation(e,t,n),this.applyMatrix4(
-ai),this}scale(e,t,n){return ai.makeScale(e,t,n),this.applyMatrix4(ai),this}lookAt(e){return du.lookAt(e),du.updateMatrix(),this.applyMatrix4(du.matrix),this}center(){
-return this.computeBoundingBox(),this.boundingBox.getCenter(Br).negate(),this.translate(Br.x,Br.y,Br.z),this}setFromPoints(e){let t=this.getAttribute("position");
+!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return li.
+makeRotationFromQuaternion(e),this.applyMatrix4(li),this}rotateX(e){return li.makeRotationX(e),this.applyMatrix4(li),this}rotateY(e){return li.makeRotationY(e),
+this.applyMatrix4(li),this}rotateZ(e){return li.makeRotationZ(e),this.applyMatrix4(li),this}translate(e,t,n){return li.makeTranslation(e,t,n),this.applyMatrix4(
+li),this}scale(e,t,n){return li.makeScale(e,t,n),this.applyMatrix4(li),this}lookAt(e){return fu.lookAt(e),fu.updateMatrix(),this.applyMatrix4(fu.matrix),this}center(){
+return this.computeBoundingBox(),this.boundingBox.getCenter(kr).negate(),this.translate(kr.x,kr.y,kr.z),this}setFromPoints(e){let t=this.getAttribute("position");
 if(t===void 0){let n=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new yt(n,3))}else{let n=Math.min(e.length,
-t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&$e("BufferGeometry: Buffer size too small for points data. Use .dispose() \
+t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&qe("BufferGeometry: Buffer size too small for points data. Use .dispose() \
 and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Bi);let e=this.attributes.position,
 t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Ke("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.
 boundingBox.set(new V(-1/0,-1/0,-1/0),new V(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let n=0,s=t.length;n<s;n++){
-let r=t[n];jn.setFromBufferAttribute(r),this.morphTargetsRelative?(Mn.addVectors(this.boundingBox.min,jn.min),this.boundingBox.expandByPoint(Mn),Mn.addVectors(this.
-boundingBox.max,jn.max),this.boundingBox.expandByPoint(Mn)):(this.boundingBox.expandByPoint(jn.min),this.boundingBox.expandByPoint(jn.max))}}else this.boundingBox.
+let r=t[n];jn.setFromBufferAttribute(r),this.morphTargetsRelative?(bn.addVectors(this.boundingBox.min,jn.min),this.boundingBox.expandByPoint(bn),bn.addVectors(this.
+boundingBox.max,jn.max),this.boundingBox.expandByPoint(bn)):(this.boundingBox.expandByPoint(jn.min),this.boundingBox.expandByPoint(jn.max))}}else this.boundingBox.
 makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&Ke('BufferGeometry.computeBoundingBox(): Computed min\
 /max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new os);
 let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Ke("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requir\
 es a manual bounding sphere.",this),this.boundingSphere.set(new V,1/0);return}if(e){let n=this.boundingSphere.center;if(jn.setFromBufferAttribute(e),t)for(let r=0,
-o=t.length;r<o;r++){let a=t[r];Lo.setFromBufferAttribute(a),this.morphTargetsRelative?(Mn.addVectors(jn.min,Lo.min),jn.expandByPoint(Mn),Mn.addVectors(jn.max,Lo.
-max),jn.expandByPoint(Mn)):(jn.expandByPoint(Lo.min),jn.expandByPoint(Lo.max))}jn.getCenter(n);let s=0;for(let r=0,o=e.count;r<o;r++)Mn.fromBufferAttribute(e,r),
-s=Math.max(s,n.distanceToSquared(Mn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,d=a.count;c<d;c++)Mn.fromBufferAttribute(
-a,c),l&&(Br.fromBufferAttribute(e,c),Mn.add(Br)),s=Math.max(s,n.distanceToSquared(Mn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&
+o=t.length;r<o;r++){let a=t[r];Do.setFromBufferAttribute(a),this.morphTargetsRelative?(bn.addVectors(jn.min,Do.min),jn.expandByPoint(bn),bn.addVectors(jn.max,Do.
+max),jn.expandByPoint(bn)):(jn.expandByPoint(Do.min),jn.expandByPoint(Do.max))}jn.getCenter(n);let s=0;for(let r=0,o=e.count;r<o;r++)bn.fromBufferAttribute(e,r),
+s=Math.max(s,n.distanceToSquared(bn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,d=a.count;c<d;c++)bn.fromBufferAttribute(
+a,c),l&&(kr.fromBufferAttribute(e,c),bn.add(kr)),s=Math.max(s,n.distanceToSquared(bn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&
 Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
-ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new Mi(new Float32Array(
-4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let L=0;L<n.count;L++)a[L]=new V,l[L]=new V;let d=new V,u=new V,h=new V,
-f=new st,m=new st,y=new st,p=new V,g=new V;function _(L,R,P){c[L]=c[R]=c[P]=1,d.fromBufferAttribute(n,L),u.fromBufferAttribute(n,R),h.fromBufferAttribute(n,P),f.
-fromBufferAttribute(r,L),m.fromBufferAttribute(r,R),y.fromBufferAttribute(r,P),u.sub(d),h.sub(d),m.sub(f),y.sub(f);let F=1/(m.x*y.y-y.x*m.y);isFinite(F)&&(p.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-m.y).multiplyScalar(F),g.copy(h).multiplyScalar(m.x).addScaledVector(u,-y.x).multiplyScalar(F),a[L].add(p),a[R].add(p),
-a[P].add(p),l[L].add(g),l[R].add(g),l[P].add(g))}let S=this.groups;S.length===0&&(S=[{start:0,count:e.count}]);for(let L=0,R=S.length;L<R;++L){let P=S[L],F=P.start,
-z=P.count;for(let D=F,G=F+z;D<G;D+=3)_(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let M=new V,C=new V,T=new V,x=new V;function b(L){T.fromBufferAttribute(s,L),x.copy(
-T);let R=a[L];M.copy(R),M.sub(T.multiplyScalar(T.dot(R))).normalize(),C.crossVectors(x,R);let F=C.dot(l[L])<0?-1:1;o.setXYZW(L,M.x,M.y,M.z,F)}for(let L=0,R=n.count;L<
-R;++L)c[L]&&b(L);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
-void 0||n.count!==t.count)n=new Mi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
-r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let m=e.getX(h+0),y=e.getX(h+1),p=e.getX(h+2);s.fromBufferAttribute(
-t,m),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,p),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,m),l.fromBufferAttribute(n,y),
-c.fromBufferAttribute(n,p),a.add(d),l.add(d),c.add(d),n.setXYZ(m,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(p,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
+ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new bi(new Float32Array(
+4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let P=0;P<n.count;P++)a[P]=new V,l[P]=new V;let d=new V,u=new V,h=new V,
+f=new st,p=new st,y=new st,m=new V,g=new V;function x(P,R,I){c[P]=c[R]=c[I]=1,d.fromBufferAttribute(n,P),u.fromBufferAttribute(n,R),h.fromBufferAttribute(n,I),f.
+fromBufferAttribute(r,P),p.fromBufferAttribute(r,R),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(m.copy(
+u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),g.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[P].add(m),a[R].add(m),
+a[I].add(m),l[P].add(g),l[R].add(g),l[I].add(g))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let P=0,R=w.length;P<R;++P){let I=w[P],F=I.start,
+z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,S=new V,_=new V;function M(P){S.fromBufferAttribute(s,P),_.copy(
+S);let R=a[P];b.copy(R),b.sub(S.multiplyScalar(S.dot(R))).normalize(),C.crossVectors(_,R);let F=C.dot(l[P])<0?-1:1;o.setXYZW(P,b.x,b.y,b.z,F)}for(let P=0,R=n.count;P<
+R;++P)c[P]&&M(P);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
+void 0||n.count!==t.count)n=new bi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
+r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(
+t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,m),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
+c.fromBufferAttribute(n,m),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),n.setXYZ(h+0,d.x,d.y,d.z),
 n.setXYZ(h+1,d.x,d.y,d.z),n.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
-n;t++)Mn.fromBufferAttribute(e,t),Mn.normalize(),e.setXYZ(t,Mn.x,Mn.y,Mn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
-l.length*d),f=0,m=0;for(let y=0,p=l.length;y<p;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let g=0;g<d;g++)h[m++]=c[f++]}return new Mi(
-h,d,u)}if(this.index===null)return $e("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
+n;t++)bn.fromBufferAttribute(e,t),bn.normalize(),e.setXYZ(t,bn.x,bn.y,bn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
+l.length*d),f=0,p=0;for(let y=0,m=l.length;y<m;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let g=0;g<d;g++)h[p++]=c[f++]}return new bi(
+h,d,u)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
 for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=e(
 h,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
 start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=
@@ -1065,28 +1066,28 @@ n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let d=s[c]
 u=r[c];for(let h=0,f=u.length;h<f;h++)d.push(u[h].clone(t));this.morphAttributes[c]=d}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,
 d=o.length;c<d;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;
 return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
-e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var fu=new V,fy=new V,py=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
+e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var pu=new V,_y=new V,xy=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
 constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=
--t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=fu.subVectors(n,t).cross(fy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
+-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=pu.subVectors(n,t).cross(_y.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
 e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.
 constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.
 distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(
-fu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
+pu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
 (o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>
 0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(
--this.constant)}applyMatrix4(e,t){let n=t||py.getNormalMatrix(e),s=this.coplanarPoint(fu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
+-this.constant)}applyMatrix4(e,t){let n=t||xy.getNormalMatrix(e),s=this.coplanarPoint(pu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
-this.constant=e.constant,this}},my=0,as=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:my++}),this.uuid=xa(),this.
-name="",this.type="Material",this.blending=so,this.side=Ds,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Iu,this.blendDst=
-Lu,this.blendEquation=er,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
-qr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Bm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=_l,this.stencilZFail=
+this.constant=e.constant,this}},yy=0,as=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:yy++}),this.uuid=va(),this.
+name="",this.type="Material",this.blending=ro,this.side=Us,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Lu,this.blendDst=
+Nu,this.blendEquation=tr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
+qr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Gm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=_l,this.stencilZFail=
 _l,this.stencilZPass=_l,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
 forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){
 this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){
-if(e!==void 0)for(let t in e){let n=e[t];if(n===void 0){$e("Material: parameter '".concat(t,"' has value of undefined."));continue}let s=this[t];if(s===void 0){
-$e("Material: '".concat(t,"' is not a property of THREE.").concat(this.type,"."));continue}s&&s.isColor?s.set(n):s&&s.isVector2&&n&&n.isVector2||s&&s.isEuler&&n&&
+if(e!==void 0)for(let t in e){let n=e[t];if(n===void 0){qe("Material: parameter '".concat(t,"' has value of undefined."));continue}let s=this[t];if(s===void 0){
+qe("Material: '".concat(t,"' is not a property of THREE.").concat(this.type,"."));continue}s&&s.isColor?s.set(n):s&&s.isVector2&&n&&n.isVector2||s&&s.isEuler&&n&&
 n.isEuler||s&&s.isVector3&&n&&n.isVector3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let n={metadata:{version:4.7,
 type:"Material",generator:"Material.toJSON"}};n.uuid=this.uuid,n.type=this.type,n.blending=this.blending,n.side=this.side,n.shadowSide=this.shadowSide,n.vertexColors=
 this.vertexColors,n.opacity=this.opacity,n.transparent=this.transparent,n.blendSrc=this.blendSrc,n.blendDst=this.blendDst,n.blendEquation=this.blendEquation,n.blendSrcAlpha=
@@ -1197,17 +1198,17 @@ e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.pre
 polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=
 e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,
 this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&
-this.version++}};var ns=new V,pu=new V,Qa=new V,el=new V,jr=class{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.
+this.version++}};var ns=new V,mu=new V,Qa=new V,el=new V,Qr=class{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.
 copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){
 return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,ns)),this}closestPointToPoint(e,t){t.subVectors(e,this.
 origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.
 distanceSqToPoint(e))}distanceSqToPoint(e){let t=ns.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(ns.copy(this.origin).
-addScaledVector(this.direction,t),ns.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){pu.copy(e).add(t).multiplyScalar(.5),Qa.copy(t).sub(e).normalize(),el.copy(
-this.origin).sub(pu);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Qa),a=el.dot(this.direction),l=-el.dot(Qa),c=el.lengthSq(),d=Math.abs(1-o*o),u,h,f,m;if(d>0)
-if(u=o*l-a,h=o*a-l,m=r*d,u>=0)if(h>=-m)if(h<=m){let y=1/d;u*=y,h*=y,f=u*(u+o*h+2*a)+h*(o*u+h+2*l)+c}else h=r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h=-r,
-u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h<=-m?(u=Math.max(0,-(-o*r+a)),h=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c):h<=m?(u=0,h=Math.min(Math.
+addScaledVector(this.direction,t),ns.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){mu.copy(e).add(t).multiplyScalar(.5),Qa.copy(t).sub(e).normalize(),el.copy(
+this.origin).sub(mu);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Qa),a=el.dot(this.direction),l=-el.dot(Qa),c=el.lengthSq(),d=Math.abs(1-o*o),u,h,f,p;if(d>0)
+if(u=o*l-a,h=o*a-l,p=r*d,u>=0)if(h>=-p)if(h<=p){let y=1/d;u*=y,h*=y,f=u*(u+o*h+2*a)+h*(o*u+h+2*l)+c}else h=r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h=-r,
+u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h<=-p?(u=Math.max(0,-(-o*r+a)),h=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c):h<=p?(u=0,h=Math.min(Math.
 max(-r,-l),r),f=h*(h+2*l)+c):(u=Math.max(0,-(o*r+a)),h=u>0?r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c);else h=o>0?-r:r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+
-2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(pu).addScaledVector(Qa,h),f}intersectSphere(e,t){if(e.radius<0)return null;ns.subVectors(
+2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(mu).addScaledVector(Qa,h),f}intersectSphere(e,t){if(e.radius<0)return null;ns.subVectors(
 e.center,this.origin);let n=ns.dot(this.direction),s=ns.dot(ns)-n*n,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=n-o,l=n+o;return l<0?null:a<0?
 this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.
 direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(e.normal)+e.constant)/t;return n>=0?n:null}intersectPlane(e,t){let n=this.
@@ -1215,12 +1216,12 @@ distanceToPlane(e);return n===null?null:this.at(n,t)}intersectsPlane(e){let t=e.
 let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h=this.origin;return c>=0?(n=(e.min.x-h.x)*c,s=(e.max.x-h.x)*c):(n=(e.max.x-h.x)*
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
-return this.intersectBox(e,ns)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,m=t.x-o.x,
-y=t.y-o.y,p=t.z-o.z,g=n.x-o.x,_=n.y-o.y,S=n.z-o.z,M=Math.abs(l),C=Math.abs(c),T=Math.abs(d),x,b,L,R,P,F,z,D,G,Y,W,ce;if(M>=C&&M>=T?(L=l,F=u,G=m,ce=g,l>=0?(x=c,b=
-d,R=h,P=f,z=y,D=p,Y=_,W=S):(x=d,b=c,R=f,P=h,z=p,D=y,Y=S,W=_)):C>=T?(L=c,F=h,G=y,ce=_,c>=0?(x=d,b=l,R=f,P=u,z=p,D=m,Y=S,W=g):(x=l,b=d,R=u,P=f,z=m,D=p,Y=g,W=S)):(L=
-d,F=f,G=p,ce=S,d>=0?(x=l,b=c,R=u,P=h,z=m,D=y,Y=g,W=_):(x=c,b=l,R=h,P=u,z=y,D=m,Y=_,W=g)),L===0)return null;let K=x/L,Q=b/L,se=1/L,de=R-K*F,ue=P-Q*F,ee=z-K*G,me=D-
-Q*G,xe=Y-K*ce,Ee=W-Q*ce,be=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(be<0||He<0||nt<0)return null}else if((be<0||He<0||nt<0)&&(be>0||He>0||nt>0))return null;
-let Ve=be+He+nt;if(Ve===0)return null;let ut=se*(be*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
+return this.intersectBox(e,ns)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,p=t.x-o.x,
+y=t.y-o.y,m=t.z-o.z,g=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,P,R,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(P=l,F=u,G=p,ce=g,l>=0?(_=c,M=
+d,R=h,I=f,z=y,D=m,Y=x,W=w):(_=d,M=c,R=f,I=h,z=m,D=y,Y=w,W=x)):C>=S?(P=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,R=f,I=u,z=m,D=p,Y=w,W=g):(_=l,M=d,R=u,I=f,z=p,D=m,Y=g,W=w)):(P=
+d,F=f,G=m,ce=w,d>=0?(_=l,M=c,R=u,I=h,z=p,D=y,Y=g,W=x):(_=c,M=l,R=h,I=u,z=y,D=p,Y=x,W=g)),P===0)return null;let K=_/P,Q=M/P,se=1/P,de=R-K*F,ue=I-Q*F,ee=z-K*G,me=D-
+Q*G,xe=Y-K*ce,Ee=W-Q*ce,Me=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(Me<0||He<0||nt<0)return null}else if((Me<0||He<0||nt<0)&&(Me>0||He>0||nt>0))return null;
+let Ve=Me+He+nt;if(Ve===0)return null;let ut=se*(Me*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
 copy(this)}},ls=class extends as{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new rt(16777215),this.map=null,this.
 lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new rs,
@@ -1228,162 +1229,162 @@ this.combine=jl,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,t
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
 this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.
 envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=
-e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},qp=new xt,Ks=new jr,tl=new os,$p=new V,
-nl=new V,il=new V,sl=new V,mu=new V,rl=new V,Yp=new V,ol=new V,ci=class extends wn{constructor(e=new ln,t=new ls){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
+e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Jp=new xt,js=new Qr,tl=new os,Kp=new V,
+nl=new V,il=new V,sl=new V,gu=new V,rl=new V,jp=new V,ol=new V,hi=class extends wn{constructor(e=new ln,t=new ls){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
 e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.
 morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.
 morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,
 this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=
 [],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){
 let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&
-a){rl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(mu.fromBufferAttribute(u,e),o?rl.addScaledVector(mu,d):rl.addScaledVector(mu.sub(t),d))}
+a){rl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(gu.fromBufferAttribute(u,e),o?rl.addScaledVector(gu,d):rl.addScaledVector(gu.sub(t),d))}
 t.add(rl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
-null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),Ks.copy(e.ray).recast(e.near),!(tl.containsPoint(Ks.origin)===!1&&(Ks.intersectSphere(
-tl,$p)===null||Ks.origin.distanceToSquared($p)>(e.far-e.near)**2))&&(qp.copy(r).invert(),Ks.copy(e.ray).applyMatrix4(qp),!(n.boundingBox!==null&&Ks.intersectsBox(
-n.boundingBox)===!1)&&this._computeIntersections(e,t,Ks)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.
-materialIndex],_=Math.max(p.start,f.start),S=Math.min(a.count,Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=S;M<C;M+=3){let T=a.getX(M),x=a.getX(M+1),
-b=a.getX(M+2);s=al(this,g,e,n,c,d,u,T,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=a.getX(p),S=a.getX(p+1),M=a.getX(p+2);s=al(this,o,e,n,c,d,u,_,S,M),s&&(s.faceIndex=Math.floor(p/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.materialIndex],_=Math.max(p.start,f.start),S=Math.min(l.count,
-Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=S;M<C;M+=3){let T=M,x=M+1,b=M+2;s=al(this,g,e,n,c,d,u,T,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
-p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=p,S=p+1,M=p+2;s=al(this,o,e,n,c,d,
-u,_,S,M),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function gy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
-s,r,o,e.side===Ds,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
-point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=gy(i,e,t,n,nl,il,
-sl,Yp);if(d){let u=new V;Ui.getBarycoord(Yp,nl,il,sl,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
+null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),js.copy(e.ray).recast(e.near),!(tl.containsPoint(js.origin)===!1&&(js.intersectSphere(
+tl,Kp)===null||js.origin.distanceToSquared(Kp)>(e.far-e.near)**2))&&(Jp.copy(r).invert(),js.copy(e.ray).applyMatrix4(Jp),!(n.boundingBox!==null&&js.intersectsBox(
+n.boundingBox)===!1)&&this._computeIntersections(e,t,js)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
+c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.
+materialIndex],x=Math.max(m.start,f.start),w=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
+M=a.getX(b+2);s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=a.getX(m),w=a.getX(m+1),b=a.getX(m+2);s=al(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.materialIndex],x=Math.max(m.start,f.start),w=Math.min(l.count,
+Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
+m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=m,w=m+1,b=m+2;s=al(this,o,e,n,c,d,
+u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function vy(i,e,t,n,s,r,o,a){let l;if(e.side===Bn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+s,r,o,e.side===Us,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
+point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=vy(i,e,t,n,nl,il,
+sl,jp);if(d){let u=new V;Ui.getBarycoord(jp,nl,il,sl,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
 new st)),o&&(d.normal=Ui.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
-Ui.getNormal(nl,il,sl,h.normal),d.face=h,d.barycoord=u}return d}var Xo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=bn,d=bn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
-this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var qo=class extends Mi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
-e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},kr=new xt,Zp=new xt,ll=[],
-Jp=new Bi,_y=new xt,No=new ci,Do=new os,As=class extends ci{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
-16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,_y)}computeBoundingBox(){
+Ui.getNormal(nl,il,sl,h.normal),d.face=h,d.barycoord=u}return d}var qo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Mn,d=Mn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
+this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Yo=class extends bi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
+e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},zr=new xt,Qp=new xt,ll=[],
+em=new Bi,by=new xt,Uo=new hi,Fo=new os,Es=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Yo(new Float32Array(n*
+16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,by)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new Bi),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
-t;n++)this.getMatrixAt(n,kr),Jp.copy(e.boundingBox).applyMatrix4(kr),this.boundingBox.union(Jp)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
-null&&(this.boundingSphere=new os),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,kr),
-Do.copy(e.boundingSphere).applyMatrix4(kr),this.boundingSphere.union(Do)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
+t;n++)this.getMatrixAt(n,zr),em.copy(e.boundingBox).applyMatrix4(zr),this.boundingBox.union(em)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
+null&&(this.boundingSphere=new os),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,zr),
+Fo.copy(e.boundingSphere).applyMatrix4(zr),this.boundingSphere.union(Fo)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
 e.morphTexture!==null?e.morphTexture.clone():null,this.instanceColor=e.instanceColor!==null?e.instanceColor.clone():null,this.count=e.count,this.boundingBox=e.boundingBox!==
 null?e.boundingBox.clone():null,this.boundingSphere=e.boundingSphere!==null?e.boundingSphere.clone():null,this}getColorAt(e,t){return this.instanceColor===null?
 t.setRGB(1,1,1):t.fromArray(this.instanceColor.array,e*3)}getMatrixAt(e,t){return t.fromArray(this.instanceMatrix.array,e*16)}getMorphAt(e,t){let n=t.morphTargetInfluences,
-s=this.morphTexture.source.data.data,r=n.length+1,o=e*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(e,t){let n=this.matrixWorld,s=this.count;if(No.geometry=
-this.geometry,No.material=this.material,No.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),Do.copy(this.boundingSphere),Do.applyMatrix4(
-n),e.ray.intersectsSphere(Do)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,kr),Zp.multiplyMatrices(n,kr),No.matrixWorld=Zp,No.raycast(e,ll);for(let o=0,a=ll.length;o<
-a;o++){let l=ll[o];l.instanceId=r,l.object=this,t.push(l)}ll.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new qo(new Float32Array(
+s=this.morphTexture.source.data.data,r=n.length+1,o=e*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(e,t){let n=this.matrixWorld,s=this.count;if(Uo.geometry=
+this.geometry,Uo.material=this.material,Uo.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),Fo.copy(this.boundingSphere),Fo.applyMatrix4(
+n),e.ray.intersectsSphere(Fo)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,zr),Qp.multiplyMatrices(n,zr),Uo.matrixWorld=Qp,Uo.raycast(e,ll);for(let o=0,a=ll.length;o<
+a;o++){let l=ll[o];l.instanceId=r,l.object=this,t.push(l)}ll.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new Yo(new Float32Array(
 this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3),this}setMatrixAt(e,t){return t.toArray(this.instanceMatrix.array,e*16),this}setMorphAt(e,t){
-let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Xo(new Float32Array(s*this.count),s,this.count,rc,hi));let r=this.morphTexture.
+let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new qo(new Float32Array(s*this.count),s,this.count,rc,ui));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},js=new os,xy=new st(.5,.5),cl=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},Qs=new os,My=new st(.5,.5),cl=new V,Cs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
-e.planes[n]);return this}setFromProjectionMatrix(e,t=li,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],m=r[8],y=r[9],
-p=r[10],g=r[11],_=r[12],S=r[13],M=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-m,C-_).normalize(),s[1].setComponents(c+o,f+d,g+m,C+_).normalize(),s[2].setComponents(
-c+a,f+u,g+y,C+S).normalize(),s[3].setComponents(c-a,f-u,g-y,C-S).normalize(),n)s[4].setComponents(l,h,p,M).normalize(),s[5].setComponents(c-l,f-h,g-p,C-M).normalize();else if(s[4].
-setComponents(c-l,f-h,g-p,C-M).normalize(),t===li)s[5].setComponents(c+l,f+h,g+p,C+M).normalize();else if(t===$r)s[5].setComponents(l,h,p,M).normalize();else throw new Error(
+e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],y=r[9],
+m=r[10],g=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-x).normalize(),s[1].setComponents(c+o,f+d,g+p,C+x).normalize(),s[2].setComponents(
+c+a,f+u,g+y,C+w).normalize(),s[3].setComponents(c-a,f-u,g-y,C-w).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
+setComponents(c-l,f-h,g-m,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Yr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
-e.computeBoundingSphere(),js.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),js.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(js)}intersectsSprite(e){js.center.set(0,0,0);let t=xy.distanceTo(e.center);return js.
-radius=.7071067811865476+t,js.applyMatrix4(e.matrixWorld),this.intersectsSphere(js)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
+e.computeBoundingSphere(),Qs.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),Qs.copy(
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(Qs)}intersectsSprite(e){Qs.center.set(0,0,0);let t=My.distanceTo(e.center);return Qs.
+radius=.7071067811865476+t,Qs.applyMatrix4(e.matrixWorld),this.intersectsSphere(Qs)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(cl.x=s.normal.x>0?e.max.x:e.min.x,cl.y=s.normal.
 y>0?e.max.y:e.min.y,cl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(cl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
-e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Kp=new xt,Ll=class i{constructor(){this.coordinateSystem=li,this._frustums=[],this._count=
-0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];Kp.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
-void 0&&(n[s]=new Es),n[s].setFromProjectionMatrix(Kp,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
+e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},tm=new xt,Ll=class i{constructor(){this.coordinateSystem=ci,this._frustums=[],this._count=
+0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];tm.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
+void 0&&(n[s]=new Cs),n[s].setFromProjectionMatrix(tm,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
-void 0&&(t[s]=new Es),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Cs=class extends as{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
+void 0&&(t[s]=new Cs),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Rs=class extends as{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
-linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Nl=new V,Dl=new V,jp=new xt,Uo=new jr,hl=new os,gu=new V,Qp=new V,Ul=class extends wn{constructor(e=new ln,t=new Cs){
+linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Nl=new V,Dl=new V,nm=new xt,Oo=new Qr,hl=new os,_u=new V,im=new V,Ul=class extends wn{constructor(e=new ln,t=new Rs){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
 return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==
 void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.
 slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[0];for(let s=1,r=t.
-count;s<r;s++)Nl.fromBufferAttribute(t,s-1),Dl.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=Nl.distanceTo(Dl);e.setAttribute("lineDistance",new yt(n,1))}else $e("\
+count;s<r;s++)Nl.fromBufferAttribute(t,s-1),Dl.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=Nl.distanceTo(Dl);e.setAttribute("lineDistance",new yt(n,1))}else qe("\
 Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.
-applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;jp.copy(s).invert(),Uo.copy(e.ray).applyMatrix4(jp);let a=r/((this.scale.x+this.scale.y+this.
-scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),m=Math.min(d.count,o.start+o.count);for(let y=f,
-p=m-1;y<p;y+=c){let g=d.getX(y),_=d.getX(y+1),S=ul(this,e,Uo,l,g,_,y);S&&t.push(S)}if(this.isLineLoop){let y=d.getX(m-1),p=d.getX(f),g=ul(this,e,Uo,l,y,p,m-1);g&&
-t.push(g)}}else{let f=Math.max(0,o.start),m=Math.min(h.count,o.start+o.count);for(let y=f,p=m-1;y<p;y+=c){let g=ul(this,e,Uo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
-let y=ul(this,e,Uo,l,m-1,f,m-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
+applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;nm.copy(s).invert(),Oo.copy(e.ray).applyMatrix4(nm);let a=r/((this.scale.x+this.scale.y+this.
+scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let y=f,
+m=p-1;y<m;y+=c){let g=d.getX(y),x=d.getX(y+1),w=ul(this,e,Oo,l,g,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),m=d.getX(f),g=ul(this,e,Oo,l,y,m,p-1);g&&
+t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,m=p-1;y<m;y+=c){let g=ul(this,e,Oo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
+let y=ul(this,e,Oo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
-r}}}}};function ul(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Nl.fromBufferAttribute(a,s),Dl.fromBufferAttribute(a,r),t.distanceSqToSegment(Nl,Dl,gu,
-Qp)>n)return;gu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(gu);if(!(c<e.near||c>e.far))return{distance:c,point:Qp.clone().applyMatrix4(i.matrixWorld),
-index:o,face:null,faceIndex:null,barycoord:null,object:i}}var em=new V,tm=new V,Qr=class extends Ul{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
-"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)em.fromBufferAttribute(
-t,s),tm.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+em.distanceTo(tm);e.setAttribute("lineDistance",new yt(n,1))}else $e("LineSegments.computeLin\
-eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var $o=class extends Gn{constructor(e=[],t=tr,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
-this.image=e}};var cs=class extends Gn{constructor(e,t,n=bi,s,r,o,a=bn,l=bn,c,d=ss,u=1){if(d!==ss&&d!==us)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
+r}}}}};function ul(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Nl.fromBufferAttribute(a,s),Dl.fromBufferAttribute(a,r),t.distanceSqToSegment(Nl,Dl,_u,
+im)>n)return;_u.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(_u);if(!(c<e.near||c>e.far))return{distance:c,point:im.clone().applyMatrix4(i.matrixWorld),
+index:o,face:null,faceIndex:null,barycoord:null,object:i}}var sm=new V,rm=new V,eo=class extends Ul{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
+"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)sm.fromBufferAttribute(
+t,s),rm.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+sm.distanceTo(rm);e.setAttribute("lineDistance",new yt(n,1))}else qe("LineSegments.computeLin\
+eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Zo=class extends Gn{constructor(e=[],t=nr,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
+this.image=e}};var cs=class extends Gn{constructor(e,t,n=Mi,s,r,o,a=Mn,l=Mn,c,d=ss,u=1){if(d!==ss&&d!==us)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
 hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:u};super(h,s,r,o,a,l,d,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
-compareFunction=null}copy(e){return super.copy(e),this.source=new Zr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
-toJSON(e);return t.compareFunction=this.compareFunction,t}},Yo=class extends cs{constructor(e,t=bi,n=tr,s,r,o=bn,a=bn,l,c=ss){let d={width:e,height:e,depth:1},u=[
+compareFunction=null}copy(e){return super.copy(e),this.source=new Jr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
+toJSON(e);return t.compareFunction=this.compareFunction,t}},Jo=class extends cs{constructor(e,t=Mi,n=nr,s,r,o=Mn,a=Mn,l,c=ss){let d={width:e,height:e,depth:1},u=[
 d,d,d,d,d,d];super(e,e,t,n,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},
-Zo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},
-Rs=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
-depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;m("z","y","x",-1,-1,n,t,e,o,r,0),m("z","y","x",1,-1,
-n,t,-e,o,r,1),m("x","z","y",1,1,e,n,t,s,o,2),m("x","z","y",1,-1,e,n,-t,s,o,3),m("x","y","z",1,-1,e,t,n,s,r,4),m("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function m(y,p,g,_,S,M,C,T,x,b,L){let R=M/
-x,P=C/b,F=M/2,z=C/2,D=T/2,G=x+1,Y=b+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*P-z;for(let de=0;de<G;de++){let ue=de*R-F;K[y]=ue*_,K[p]=se*S,K[g]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[p]=0,K[g]=T>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/x),u.push(1-Q/b),W+=1}}for(let Q=0;Q<b;Q++)for(let se=0;se<x;se++){let de=h+se+G*Q,ue=h+se+
-G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,L),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
-Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Jo=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
+Ko=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},
+Ps=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
+depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,n,t,e,o,r,0),p("z","y","x",1,-1,
+n,t,-e,o,r,1),p("x","z","y",1,1,e,n,t,s,o,2),p("x","z","y",1,-1,e,n,-t,s,o,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,m,g,x,w,b,C,S,_,M,P){let R=b/
+_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*R-F;K[y]=ue*x,K[m]=se*w,K[g]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[m]=0,K[g]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
+G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,P),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
+Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},jo=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
-n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,m=n*2+r,y=s+1,p=new V,g=new V;for(let _=0;_<=
-m;_++){let S=0,M=0,C=0,T=0;if(_<=n){let L=_/n,R=L*Math.PI/2;M=-d-e*Math.cos(R),C=e*Math.sin(R),T=-e*Math.cos(R),S=L*u}else if(_<=n+r){let L=(_-n)/r;M=-d+L*t,C=e,
-T=0,S=u+L*h}else{let L=(_-n-r)/n,R=L*Math.PI/2;M=d+e*Math.sin(R),C=e*Math.cos(R),T=e*Math.sin(R),S=u+h+L*u}let x=Math.max(0,Math.min(1,S/f)),b=0;_===0?b=.5/s:_===
-m&&(b=-.5/s);for(let L=0;L<=s;L++){let R=L/s,P=R*Math.PI*2,F=Math.sin(P),z=Math.cos(P);g.x=-C*z,g.y=M,g.z=C*F,a.push(g.x,g.y,g.z),p.set(-C*z,T,C*F),p.normalize(),
-l.push(p.x,p.y,p.z),c.push(R+b,x)}if(_>0){let L=(_-1)*y;for(let R=0;R<s;R++){let P=L+R,F=L+R+1,z=_*y+R,D=_*y+R+1;o.push(P,F,z),o.push(F,D,z)}}}this.setIndex(o),
+n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,m=new V,g=new V;for(let x=0;x<=
+p;x++){let w=0,b=0,C=0,S=0;if(x<=n){let P=x/n,R=P*Math.PI/2;b=-d-e*Math.cos(R),C=e*Math.sin(R),S=-e*Math.cos(R),w=P*u}else if(x<=n+r){let P=(x-n)/r;b=-d+P*t,C=e,
+S=0,w=u+P*h}else{let P=(x-n-r)/n,R=P*Math.PI/2;b=d+e*Math.sin(R),C=e*Math.cos(R),S=e*Math.sin(R),w=u+h+P*u}let _=Math.max(0,Math.min(1,w/f)),M=0;x===0?M=.5/s:x===
+p&&(M=-.5/s);for(let P=0;P<=s;P++){let R=P/s,I=R*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),m.set(-C*z,S,C*F),m.normalize(),
+l.push(m.x,m.y,m.z),c.push(R+M,_)}if(x>0){let P=(x-1)*y;for(let R=0;R<s;R++){let I=P+R,F=P+R+1,z=x*y+R,D=x*y+R+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
-Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ps=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
-height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],m=0,y=[],p=n/
-2,g=0;_(),o===!1&&(e>0&&S(!0),t>0&&S(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
-uv",new yt(f,2));function _(){let M=new V,C=new V,T=0,x=(t-e)/n;for(let b=0;b<=r;b++){let L=[],R=b/r,P=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=P*G,C.y=-R*n+p,C.z=P*Y,u.push(C.x,C.y,C.z),M.set(G,x,Y).normalize(),h.push(M.x,M.y,M.z),f.push(z,1-R),L.push(m++)}y.push(L)}for(let b=0;b<
-s;b++)for(let L=0;L<r;L++){let R=y[L][b],P=y[L+1][b],F=y[L+1][b+1],z=y[L][b+1];(e>0||L!==0)&&(d.push(R,P,z),T+=3),(t>0||L!==r-1)&&(d.push(P,F,z),T+=3)}c.addGroup(
-g,T,0),g+=T}function S(M){let C=m,T=new st,x=new V,b=0,L=M===!0?e:t,R=M===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,p*R,0),h.push(0,R,0),f.push(.5,.5),m++;let P=m;for(let F=0;F<=
-s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);x.x=L*Y,x.y=p*R,x.z=L*G,u.push(x.x,x.y,x.z),h.push(0,R,0),T.x=G*.5+.5,T.y=Y*.5*R+.5,f.push(T.x,T.y),m++}for(let F=0;F<
-s;F++){let z=C+F,D=P+F;M===!0?d.push(D,D+1,z):d.push(D+1,D,z),b+=3}c.addGroup(g,b,M===!0?1:2),g+=b}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Is=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
+height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],m=n/
+2,g=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+uv",new yt(f,2));function x(){let b=new V,C=new V,S=0,_=(t-e)/n;for(let M=0;M<=r;M++){let P=[],R=M/r,I=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
+sin(D),Y=Math.cos(D);C.x=I*G,C.y=-R*n+m,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-R),P.push(p++)}y.push(P)}for(let M=0;M<
+s;M++)for(let P=0;P<r;P++){let R=y[P][M],I=y[P+1][M],F=y[P+1][M+1],z=y[P][M+1];(e>0||P!==0)&&(d.push(R,I,z),S+=3),(t>0||P!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
+g,S,0),g+=S}function w(b){let C=p,S=new st,_=new V,M=0,P=b===!0?e:t,R=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,m*R,0),h.push(0,R,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=P*Y,_.y=m*R,_.z=P*G,u.push(_.x,_.y,_.z),h.push(0,R,0),S.x=G*.5+.5,S.y=Y*.5*R+.5,f.push(S.x,S.y),p++}for(let F=0;F<
+s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
-Ko=class i extends Ps{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
+Qo=class i extends Is{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
 e.thetaLength)}},Fl=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
 let r=[],o=[];a(s),c(n),d(),this.setAttribute("position",new yt(r,3)),this.setAttribute("normal",new yt(r.slice(),3)),this.setAttribute("uv",new yt(o,2)),s===0?
-this.computeVertexNormals():this.normalizeNormals();function a(_){let S=new V,M=new V,C=new V;for(let T=0;T<t.length;T+=3)f(t[T+0],S),f(t[T+1],M),f(t[T+2],C),l(
-S,M,C,_)}function l(_,S,M,C){let T=C+1,x=[];for(let b=0;b<=T;b++){x[b]=[];let L=_.clone().lerp(M,b/T),R=S.clone().lerp(M,b/T),P=T-b;for(let F=0;F<=P;F++)F===0&&
-b===T?x[b][F]=L:x[b][F]=L.clone().lerp(R,F/P)}for(let b=0;b<T;b++)for(let L=0;L<2*(T-b)-1;L++){let R=Math.floor(L/2);L%2===0?(h(x[b][R+1]),h(x[b+1][R]),h(x[b][R])):
-(h(x[b][R+1]),h(x[b+1][R+1]),h(x[b+1][R]))}}function c(_){let S=new V;for(let M=0;M<r.length;M+=3)S.x=r[M+0],S.y=r[M+1],S.z=r[M+2],S.normalize().multiplyScalar(
-_),r[M+0]=S.x,r[M+1]=S.y,r[M+2]=S.z}function d(){let _=new V;for(let S=0;S<r.length;S+=3){_.x=r[S+0],_.y=r[S+1],_.z=r[S+2];let M=p(_)/2/Math.PI+.5,C=g(_)/Math.PI+
-.5;o.push(M,1-C)}m(),u()}function u(){for(let _=0;_<o.length;_+=6){let S=o[_+0],M=o[_+2],C=o[_+4],T=Math.max(S,M,C),x=Math.min(S,M,C);T>.9&&x<.1&&(S<.2&&(o[_+0]+=
-1),M<.2&&(o[_+2]+=1),C<.2&&(o[_+4]+=1))}}function h(_){r.push(_.x,_.y,_.z)}function f(_,S){let M=_*3;S.x=e[M+0],S.y=e[M+1],S.z=e[M+2]}function m(){let _=new V,S=new V,
-M=new V,C=new V,T=new st,x=new st,b=new st;for(let L=0,R=0;L<r.length;L+=9,R+=6){_.set(r[L+0],r[L+1],r[L+2]),S.set(r[L+3],r[L+4],r[L+5]),M.set(r[L+6],r[L+7],r[L+
-8]),T.set(o[R+0],o[R+1]),x.set(o[R+2],o[R+3]),b.set(o[R+4],o[R+5]),C.copy(_).add(S).add(M).divideScalar(3);let P=p(C);y(T,R+0,_,P),y(x,R+2,S,P),y(b,R+4,M,P)}}function y(_,S,M,C){
-C<0&&_.x===1&&(o[S]=_.x-1),M.x===0&&M.z===0&&(o[S]=C/2/Math.PI+.5)}function p(_){return Math.atan2(_.z,-_.x)}function g(_){return Math.atan2(-_.y,Math.sqrt(_.x*
-_.x+_.z*_.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
-detail)}};var eo=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
-this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},jo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
+this.computeVertexNormals():this.normalizeNormals();function a(x){let w=new V,b=new V,C=new V;for(let S=0;S<t.length;S+=3)f(t[S+0],w),f(t[S+1],b),f(t[S+2],C),l(
+w,b,C,x)}function l(x,w,b,C){let S=C+1,_=[];for(let M=0;M<=S;M++){_[M]=[];let P=x.clone().lerp(b,M/S),R=w.clone().lerp(b,M/S),I=S-M;for(let F=0;F<=I;F++)F===0&&
+M===S?_[M][F]=P:_[M][F]=P.clone().lerp(R,F/I)}for(let M=0;M<S;M++)for(let P=0;P<2*(S-M)-1;P++){let R=Math.floor(P/2);P%2===0?(h(_[M][R+1]),h(_[M+1][R]),h(_[M][R])):
+(h(_[M][R+1]),h(_[M+1][R+1]),h(_[M+1][R]))}}function c(x){let w=new V;for(let b=0;b<r.length;b+=3)w.x=r[b+0],w.y=r[b+1],w.z=r[b+2],w.normalize().multiplyScalar(
+x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=m(x)/2/Math.PI+.5,C=g(x)/Math.PI+
+.5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let w=o[x+0],b=o[x+2],C=o[x+4],S=Math.max(w,b,C),_=Math.min(w,b,C);S>.9&&_<.1&&(w<.2&&(o[x+0]+=
+1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,w){let b=x*3;w.x=e[b+0],w.y=e[b+1],w.z=e[b+2]}function p(){let x=new V,w=new V,
+b=new V,C=new V,S=new st,_=new st,M=new st;for(let P=0,R=0;P<r.length;P+=9,R+=6){x.set(r[P+0],r[P+1],r[P+2]),w.set(r[P+3],r[P+4],r[P+5]),b.set(r[P+6],r[P+7],r[P+
+8]),S.set(o[R+0],o[R+1]),_.set(o[R+2],o[R+3]),M.set(o[R+4],o[R+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=m(C);y(S,R+0,x,I),y(_,R+2,w,I),y(M,R+4,b,I)}}function y(x,w,b,C){
+C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function m(x){return Math.atan2(x.z,-x.x)}function g(x){return Math.atan2(-x.y,Math.sqrt(x.x*
+x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
+detail)}};var to=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
+this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},ea=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],m=[],y=[],p=[];for(let g=0;g<d;g++){let _=g*h-o;for(let S=0;S<c;S++){let M=S*u-r;m.push(M,-_,0),y.push(0,0,1),p.push(S/a),p.push(1-g/l)}}for(let g=0;g<
-l;g++)for(let _=0;_<a;_++){let S=_+c*g,M=_+c*(g+1),C=_+1+c*(g+1),T=_+1+c*g;f.push(S,M,T),f.push(M,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),
-this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
-return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var Qo=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
+1,u=e/a,h=t/l,f=[],p=[],y=[],m=[];for(let g=0;g<d;g++){let x=g*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),m.push(w/a),m.push(1-g/l)}}for(let g=0;g<
+l;g++)for(let x=0;x<a;x++){let w=x+c*g,b=x+c*(g+1),C=x+1+c*(g+1),S=x+1+c*g;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
+this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
+return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var ta=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],m=[],y=[],p=[];for(let g=0;g<=n;g++){let _=[],S=g/n,M=o+S*a,C=e*Math.cos(M),T=Math.sqrt(e*e-C*C),x=0;g===0&&o===0?x=.5/t:g===n&&l===Math.PI&&
-(x=-.5/t);for(let b=0;b<=t;b++){let L=b/t,R=s+L*r;u.x=-T*Math.cos(R),u.y=C,u.z=T*Math.sin(R),m.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),p.push(
-L+x,1-S),_.push(c++)}d.push(_)}for(let g=0;g<n;g++)for(let _=0;_<t;_++){let S=d[g][_+1],M=d[g][_],C=d[g+1][_],T=d[g+1][_+1];(g!==0||o>0)&&f.push(S,M,T),(g!==n-1||
-l<Math.PI)&&f.push(M,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){
+u=new V,h=new V,f=[],p=[],y=[],m=[];for(let g=0;g<=n;g++){let x=[],w=g/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;g===0&&o===0?_=.5/t:g===n&&l===Math.PI&&
+(_=-.5/t);for(let M=0;M<=t;M++){let P=M/t,R=s+P*r;u.x=-S*Math.cos(R),u.y=C,u.z=S*Math.sin(R),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),m.push(
+P+_,1-w),x.push(c++)}d.push(x)}for(let g=0;g<n;g++)for(let x=0;x<t;x++){let w=d[g][x+1],b=d[g][x],C=d[g+1][x],S=d[g+1][x+1];(g!==0||o>0)&&f.push(w,b,S),(g!==n-1||
+l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
-phiLength,e.thetaStart,e.thetaLength)}};function ir(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(nm(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets\
- cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(nm(s[0])){let r=[];for(let o=0,a=s.length;o<
-a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Cn(i){let e={};for(let t=0;t<i.length;t++){let n=ir(i[t]);for(let s in n)
-e[s]=n[s]}return e}function nm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function yy(i){
-let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function Qu(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var Km={clone:ir,merge:Cn},vy="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
-0 );\n}",My="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends as{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
-rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=vy,this.fragmentShader=My,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
+phiLength,e.thetaStart,e.thetaLength)}};function sr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(om(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
+ cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(om(s[0])){let r=[];for(let o=0,a=s.length;o<
+a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Cn(i){let e={};for(let t=0;t<i.length;t++){let n=sr(i[t]);for(let s in n)
+e[s]=n[s]}return e}function om(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Sy(i){
+let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function ed(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
+!0?e.texture.colorSpace:_t.workingColorSpace}var tg={clone:sr,merge:Cn},wy="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+0 );\n}",Ty="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends as{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
+rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=wy,this.fragmentShader=Ty,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ir(e.uniforms),this.uniformsGroups=yy(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=sr(e.uniforms),this.uniformsGroups=Sy(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1398,7 +1399,7 @@ fromArray(s.value);break;case"v4":this.uniforms[n].value=new Wt().fromArray(s.va
 m4":this.uniforms[n].value=new xt().fromArray(s.value);break;default:this.uniforms[n].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==
 void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),
 e.extensions!==void 0)for(let n in e.extensions)this.extensions[n]=e.extensions[n];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=
-e.clipping),this}},Ol=class extends ki{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var ea=class extends as{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new rt(16777215),this.map=null,this.lightMap=
+e.clipping),this}},Ol=class extends ki{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var na=class extends as{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new rt(16777215),this.map=null,this.lightMap=
 null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new rt(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.
 bumpScale=1,this.normalMap=null,this.normalMapType=kc,this.normalScale=new st(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.
 specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new rs,this.combine=jl,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=
@@ -1409,117 +1410,117 @@ e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.n
 e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(
 e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.envMapIntensity=e.envMapIntensity,this.refractionRatio=e.refractionRatio,this.wireframe=
 e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.
-flatShading,this.fog=e.fog,this}},Bl=class extends as{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Fm,this.
+flatShading,this.fog=e.fog,this}},Bl=class extends as{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=zm,this.
 map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(
 e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
 e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},kl=class extends as{constructor(e){
 super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.
 displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
-e.displacementScale,this.displacementBias=e.displacementBias,this}};var ta=class extends Cs{constructor(e){super(),this.isLineDashedMaterial=!0,this.type="LineDashedMaterial",this.scale=1,this.dashSize=3,this.gapSize=1,this.setValues(
-e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this.gapSize=e.gapSize,this}};function zr(i,e){return!i||i.constructor===e?i:typeof e.
-BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function dl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Is=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
+e.displacementScale,this.displacementBias=e.displacementBias,this}};var ia=class extends Rs{constructor(e){super(),this.isLineDashedMaterial=!0,this.type="LineDashedMaterial",this.scale=1,this.dashSize=3,this.gapSize=1,this.setValues(
+e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this.gapSize=e.gapSize,this}};function Vr(i,e){return!i||i.constructor===e?i:typeof e.
+BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function dl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ls=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
 n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+
 2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}
 if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(s=r,r=t[--n-1],e>=r)break e}
 o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)
 return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){
 return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=n[r+
-o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},zl=class extends Is{constructor(e,t,n,s){super(e,
-t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:vu,endingEnd:vu}}intervalChanged_(e,t,n){
-let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Mu:r=e,a=2*t-n;break;case bu:r=s.length-2,a=t+
-s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Mu:o=e,l=2*n-t;break;case bu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},zl=class extends Ls{constructor(e,t,n,s){super(e,
+t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:bu,endingEnd:bu}}intervalChanged_(e,t,n){
+let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Mu:r=e,a=2*t-n;break;case Su:r=s.length-2,a=t+
+s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Mu:o=e,l=2*n-t;break;case Su:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,m=(n-t)/(s-t),y=m*m,p=y*m,g=-h*p+2*
-h*y-h*m,_=(1+h)*p+(-1.5-2*h)*y+(-.5+h)*m+1,S=(-1-f)*p+(1.5+f)*y+.5*m,M=f*p-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+_*o[c+C]+S*o[l+C]+M*o[u+C];return r}},Vl=class extends Is{constructor(e,t,n,s){
+o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,m=y*p,g=-h*m+2*
+h*y-h*p,x=(1+h)*m+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*m+(1.5+f)*y+.5*p,b=f*m-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Vl=class extends Ls{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
-h]*u+o[l+h]*d;return r}},Gl=class extends Is{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Is{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let m=(n-t)/(s-t),y=1-m;for(let p=0;p!==
-a;++p)r[p]=o[c+p]*y+o[l+p]*m;return r}let h=a*2,f=e-1;for(let m=0;m!==a;++m){let y=o[c+m],p=o[l+m],g=f*h+m*2,_=u[g],S=u[g+1],M=e*h+m*2,C=d[M],T=d[M+1],x=Sy(n,t,
-_,C,s);r[m]=jm(x,y,S,T,p)}return r}};function jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function by(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
-e)+6*r*i*(n-t)+3*i*i*(s-n)}function Sy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=jm(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=by(r,e,t,n,s);if(Math.
+h]*u+o[l+h]*d;return r}},Gl=class extends Ls{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Ls{interpolate_(e,t,n,s){
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let m=0;m!==
+a;++m)r[m]=o[c+m]*y+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],m=o[l+p],g=f*h+p*2,x=u[g],w=u[g+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Ey(n,t,
+x,C,s);r[p]=ng(_,y,w,S,m)}return r}};function ng(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Ay(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+e)+6*r*i*(n-t)+3*i*i*(s-n)}function Ey(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=ng(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Ay(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
-undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=zr(t,this.TimeBufferType),
-this.values=zr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
-toJSON(e);else{n={name:e.name,times:zr(e.times,Array),values:zr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),dl(e.
-settings)&&(n.settings={inTangents:zr(e.settings.inTangents,Array),outTangents:zr(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){
+undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Vr(t,this.TimeBufferType),
+this.values=Vr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
+toJSON(e);else{n={name:e.name,times:Vr(e.times,Array),values:Vr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),dl(e.
+settings)&&(n.settings={inTangents:Vr(e.settings.inTangents,Array),outTangents:Vr(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){
 return new Gl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Vl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){
 return new zl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Hl(this.times,this.values,this.getValueSize(),e);return this.
-settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case Oo:t=this.InterpolantFactoryMethodDiscrete;
-break;case El:t=this.InterpolantFactoryMethodLinear;break;case gl:t=this.InterpolantFactoryMethodSmooth;break;case yu:t=this.InterpolantFactoryMethodBezier;break}
+settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case ko:t=this.InterpolantFactoryMethodDiscrete;
+break;case El:t=this.InterpolantFactoryMethodLinear;break;case gl:t=this.InterpolantFactoryMethodSmooth;break;case vu:t=this.InterpolantFactoryMethodBezier;break}
 if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)
-this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return $e("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){
-switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return Oo;case this.InterpolantFactoryMethodLinear:return El;case this.InterpolantFactoryMethodSmooth:
-return gl;case this.InterpolantFactoryMethodBezier:return yu}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,
-s=t.length;n!==s;++n)t[n]+=e;dl(this.settings)&&(im(this.settings.inTangents,e),im(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
-for(let n=0,s=t.length;n!==s;++n)t[n]*=e;dl(this.settings)&&(sm(this.settings.inTangents,e),sm(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
+this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return qe("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){
+switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return ko;case this.InterpolantFactoryMethodLinear:return El;case this.InterpolantFactoryMethodSmooth:
+return gl;case this.InterpolantFactoryMethodBezier:return vu}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,
+s=t.length;n!==s;++n)t[n]+=e;dl(this.settings)&&(am(this.settings.inTangents,e),am(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
+for(let n=0,s=t.length;n!==s;++n)t[n]*=e;dl(this.settings)&&(lm(this.settings.inTangents,e),lm(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
 s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.
 slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Ke("KeyframeTrack: Invalid value s\
 ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];
 if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
-a,l,o),e=!1;break}o=l}if(s!==void 0&&Jx(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
+a,l,o),e=!1;break}o=l}if(s!==void 0&&ey(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
 e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===gl,r=e.length-1,o=1;for(let a=1;a<
-r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let m=0;m!==n;++m){let y=t[u+m];if(y!==t[h+m]||y!==t[f+m]){
+r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let y=t[u+p];if(y!==t[h+p]||y!==t[f+p]){
 l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
 ++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),
 n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,dl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
-slice(),outTangents:this.settings.outTangents.slice()}),s}};function im(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function sm(i,e){for(let t=0,n=i.length;t!==
+slice(),outTangents:this.settings.outTangents.slice()}),s}};function am(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function lm(i,e){for(let t=0,n=i.length;t!==
 n;t+=2)i[t]*=e}ni.prototype.ValueTypeName="";ni.prototype.TimeBufferType=Float32Array;ni.prototype.ValueBufferType=Float32Array;ni.prototype.DefaultInterpolation=
-El;var Ls=class extends ni{constructor(e,t,n){super(e,t,n)}};Ls.prototype.ValueTypeName="bool";Ls.prototype.ValueBufferType=Array;Ls.prototype.DefaultInterpolation=
-Oo;Ls.prototype.InterpolantFactoryMethodLinear=void 0;Ls.prototype.InterpolantFactoryMethodSmooth=void 0;var Wl=class extends ni{constructor(e,t,n,s){super(e,t,
-n,s)}};Wl.prototype.ValueTypeName="color";var Xl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Xl.prototype.ValueTypeName="number";var ql=class extends Is{constructor(e,t,n,s){
-super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)Bn.slerpFlat(r,0,
-o,c-a,o,c,l);return r}},na=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new ql(this.times,this.values,this.getValueSize(),
-e)}};na.prototype.ValueTypeName="quaternion";na.prototype.InterpolantFactoryMethodSmooth=void 0;var Ns=class extends ni{constructor(e,t,n){super(e,t,n)}};Ns.prototype.
-ValueTypeName="string";Ns.prototype.ValueBufferType=Array;Ns.prototype.DefaultInterpolation=Oo;Ns.prototype.InterpolantFactoryMethodLinear=void 0;Ns.prototype.InterpolantFactoryMethodSmooth=
-void 0;var $l=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};$l.prototype.ValueTypeName="vector";var Yl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
+El;var Ns=class extends ni{constructor(e,t,n){super(e,t,n)}};Ns.prototype.ValueTypeName="bool";Ns.prototype.ValueBufferType=Array;Ns.prototype.DefaultInterpolation=
+ko;Ns.prototype.InterpolantFactoryMethodLinear=void 0;Ns.prototype.InterpolantFactoryMethodSmooth=void 0;var Wl=class extends ni{constructor(e,t,n,s){super(e,t,
+n,s)}};Wl.prototype.ValueTypeName="color";var Xl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Xl.prototype.ValueTypeName="number";var $l=class extends Ls{constructor(e,t,n,s){
+super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)On.slerpFlat(r,0,
+o,c-a,o,c,l);return r}},sa=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new $l(this.times,this.values,this.getValueSize(),
+e)}};sa.prototype.ValueTypeName="quaternion";sa.prototype.InterpolantFactoryMethodSmooth=void 0;var Ds=class extends ni{constructor(e,t,n){super(e,t,n)}};Ds.prototype.
+ValueTypeName="string";Ds.prototype.ValueBufferType=Array;Ds.prototype.DefaultInterpolation=ko;Ds.prototype.InterpolantFactoryMethodLinear=void 0;Ds.prototype.InterpolantFactoryMethodSmooth=
+void 0;var ql=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};ql.prototype.ValueTypeName="vector";var Yl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
 itemStart=function(d){a++,r===!1&&s.onStart!==void 0&&s.onStart(d,o,a),r=!0},this.itemEnd=function(d){o++,s.onProgress!==void 0&&s.onProgress(d,o,a),o===a&&(r=!1,
 s.onLoad!==void 0&&s.onLoad())},this.itemError=function(d){s.onError!==void 0&&s.onError(d)},this.resolveURL=function(d){return d=d.normalize("NFC"),l?l(d):d},this.
 setURLModifier=function(d){return l=d,this},this.addHandler=function(d,u){return c.push(d,u),this},this.removeHandler=function(d){let u=c.indexOf(d);return u!==
--1&&c.splice(u,2),this},this.getHandler=function(d){for(let u=0,h=c.length;u<h;u+=2){let f=c[u],m=c[u+1];if(f.global&&(f.lastIndex=0),f.test(d))return m}return null},
+-1&&c.splice(u,2),this},this.getHandler=function(d){for(let u=0,h=c.length;u<h;u+=2){let f=c[u],p=c[u+1];if(f.global&&(f.lastIndex=0),f.test(d))return p}return null},
 this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=
-new AbortController),this._abortController}},Qm=new Yl,Zl=class{constructor(e){this.manager=e!==void 0?e:Qm,this.crossOrigin="anonymous",this.withCredentials=!1,
+new AbortController),this._abortController}},ig=new Yl,Zl=class{constructor(e){this.manager=e!==void 0?e:ig,this.crossOrigin="anonymous",this.withCredentials=!1,
 this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(
 new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.
 crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){
 return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Zl.DEFAULT_MATERIAL_NAME=
-"__DEFAULT";var ia=class extends wn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new rt(e),this.
+"__DEFAULT";var ra=class extends wn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new rt(e),this.
 intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.
-color.getHex(),t.object.intensity=this.intensity,t}},sa=class extends ia{constructor(e,t,n){super(e,n),this.isHemisphereLight=!0,this.type="HemisphereLight",this.
+color.getHex(),t.object.intensity=this.intensity,t}},oa=class extends ra{constructor(e,t,n){super(e,n),this.isHemisphereLight=!0,this.type="HemisphereLight",this.
 position.copy(wn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new rt(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){
-let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},_u=new xt,rm=new V,om=new V,Jl=class{constructor(e){this.camera=e,this.intensity=
+let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},xu=new xt,cm=new V,hm=new V,Jl=class{constructor(e){this.camera=e,this.intensity=
 1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new st(512,512),this.mapType=Hn,this.map=null,this.mapPass=null,
-this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Es,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
-1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;rm.setFromMatrixPosition(
-e.matrixWorld),t.position.copy(rm),om.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(om),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
-_u.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(_u,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
-x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===$r||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*
-o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(_u)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
+this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Cs,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
+1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;cm.setFromMatrixPosition(
+e.matrixWorld),t.position.copy(cm),hm.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(hm),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
+xu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(xu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
+x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===Yr||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*
+o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(xu)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
 map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,
 this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=
 e.mapType,this.biasNode=e.biasNode,this}clone(){return new this.constructor().copy(this)}toJSON(){let e={};return e.intensity=this.intensity,e.bias=this.bias,e.
 normalBias=this.normalBias,e.radius=this.radius,e.blurSamples=this.blurSamples,e.mapSize=this.mapSize.toArray(),e.mapType=this.mapType,e.camera=this.camera.toJSON(
-!1).object,delete e.camera.matrix,e}},fl=new V,pl=new Bn,Di=new V,ra=class extends wn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=
-new xt,this.projectionMatrix=new xt,this.projectionMatrixInverse=new xt,this.coordinateSystem=li,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){
+!1).object,delete e.camera.matrix,e}},fl=new V,pl=new On,Di=new V,aa=class extends wn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=
+new xt,this.projectionMatrix=new xt,this.projectionMatrixInverse=new xt,this.coordinateSystem=ci,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){
 return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),
 this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.
 matrixWorld.decompose(fl,pl,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Di.set(
 1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(fl,pl,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.
-copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Di.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Ts=new V,am=new st,
-lm=new st,Fn=class extends ra{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
+copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Di.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},As=new V,um=new st,
+dm=new st,Un=class extends aa{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
 n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.
 fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=
 e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Cl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
-let e=Math.tan(Zh*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Cl*2*Math.atan(Math.tan(Zh*.5*this.fov)/this.zoom)}getFilmWidth(){return this.
-filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){Ts.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),
-t.set(Ts.x,Ts.y).multiplyScalar(-e/Ts.z),Ts.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(Ts.x,Ts.y).multiplyScalar(-e/Ts.z)}getViewSize(e,t){return this.
-getViewBounds(e,am,lm),t.subVectors(lm,am)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
+let e=Math.tan(Jh*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Cl*2*Math.atan(Math.tan(Jh*.5*this.fov)/this.zoom)}getFilmWidth(){return this.
+filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){As.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),
+t.set(As.x,As.y).multiplyScalar(-e/As.z),As.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(As.x,As.y).multiplyScalar(-e/As.z)}getViewSize(e,t){return this.
+getViewBounds(e,um,dm),t.subVectors(dm,um)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
 offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.
 height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.
-near,t=e*Math.tan(Zh*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=
+near,t=e*Math.tan(Jh*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=
 o.offsetX*s/l,t-=o.offsetY*n/c,s*=o.width/l,n*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,
 t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.
 object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&
-(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var oa=class extends ra{constructor(e=-1,t=1,n=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,
+(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var la=class extends aa{constructor(e=-1,t=1,n=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,
 this.left=e,this.right=t,this.top=n,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=
 e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,n,s,r,o){
 this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=
@@ -1529,34 +1530,34 @@ left)/2,s=(this.top+this.bottom)/2,r=n-e,o=n+e,a=s+t,l=s-t;if(this.view!==null&&
 top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=d*this.view.offsetY,l=a-d*this.view.height}this.projectionMatrix.
 makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){
 let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.
-near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Su=class extends Jl{constructor(){super(new oa(-5,5,5,-5,
-.5,500)),this.isDirectionalLightShadow=!0}},to=class extends ia{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
-copy(wn.DEFAULT_UP),this.updateMatrix(),this.target=new wn,this.shadow=new Su}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.
+near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},wu=class extends Jl{constructor(){super(new la(-5,5,5,-5,
+.5,500)),this.isDirectionalLightShadow=!0}},no=class extends ra{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
+copy(wn.DEFAULT_UP),this.updateMatrix(),this.target=new wn,this.shadow=new wu}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.
 target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.
-uuid,t}};var Vr=-90,Gr=1,no=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Fn(
-Vr,Gr,e,t);s.layers=this.layers,this.add(s);let r=new Fn(Vr,Gr,e,t);r.layers=this.layers,this.add(r);let o=new Fn(Vr,Gr,e,t);o.layers=this.layers,this.add(o);let a=new Fn(
-Vr,Gr,e,t);a.layers=this.layers,this.add(a);let l=new Fn(Vr,Gr,e,t);l.layers=this.layers,this.add(l);let c=new Fn(Vr,Gr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
-let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===li)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
--1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===$r)n.up.set(
+uuid,t}};var Gr=-90,Hr=1,io=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Un(
+Gr,Hr,e,t);s.layers=this.layers,this.add(s);let r=new Un(Gr,Hr,e,t);r.layers=this.layers,this.add(r);let o=new Un(Gr,Hr,e,t);o.layers=this.layers,this.add(o);let a=new Un(
+Gr,Hr,e,t);a.layers=this.layers,this.add(a);let l=new Un(Gr,Hr,e,t);l.layers=this.layers,this.add(l);let c=new Un(Gr,Hr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
+let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===ci)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
+-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===Yr)n.up.set(
 0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
-this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),m=e.xr.enabled;e.xr.enabled=
-!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let p=!1;e.isWebGLRenderer===!0?p=e.state.buffers.depth.getReversed():p=e.reversedDepthBuffer,
-e.setRenderTarget(n,0,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),p&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
-u,h,f),e.xr.enabled=m,n.texture.needsPMREMUpdate=!0}},Kl=class extends Fn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
-e,this.perCameraFrustumCulled=!1}};var ed="\\[\\]\\.:\\/",wy=new RegExp("["+ed+"]","g"),td="[^"+ed+"]",Ty="[^"+ed.replace("\\.","")+"]",Ay=/((?:WC+[\/:])*)/.source.replace("WC",td),Ey=/(WCOD+)?/.
-source.replace("WCOD",Ty),Cy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",td),Ry=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",td),Py=new RegExp("^"+Ay+Ey+Cy+Ry+
-"$"),Iy=["material","materials","bones","map"],wu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
+this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=
+!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,
+e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
+n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
+u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Kl=class extends Un{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
+e,this.perCameraFrustumCulled=!1}};var td="\\[\\]\\.:\\/",Cy=new RegExp("["+td+"]","g"),nd="[^"+td+"]",Ry="[^"+td.replace("\\.","")+"]",Py=/((?:WC+[\/:])*)/.source.replace("WC",nd),Iy=/(WCOD+)?/.
+source.replace("WCOD",Ry),Ly=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",nd),Ny=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",nd),Dy=new RegExp("^"+Py+Iy+Ly+Ny+
+"$"),Uy=["material","materials","bones","map"],Tu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
 this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.
 nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){
 let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},Vt=class i{constructor(e,t,n){this.path=t,this.parsedPath=
 n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){
-return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(wy,"")}static parseTrackName(e){
-let t=Py.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
-propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Iy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
+return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Cy,"")}static parseTrackName(e){
+let t=Dy.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
+propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Uy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
 substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from track\
 Name: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);
 if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}
@@ -1572,7 +1573,7 @@ propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromAr
 this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.
 targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.
 node,t=this.parsedPath,n=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=i.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,
-this.setValue=this._setValue_unavailable,!e){$e("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let c=t.objectIndex;switch(n){case"\
+this.setValue=this._setValue_unavailable,!e){qe("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let c=t.objectIndex;switch(n){case"\
 materials":if(!e.material){Ke("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){Ke("PropertyB\
 inding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){
 Ke("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let d=0;d<e.length;d++)if(e[d].name===c){c=d;break}
@@ -1587,60 +1588,60 @@ or track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None
 l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.
 resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.
 setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Vt.Composite=
-wu;Vt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Vt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Vt.
+Tu;Vt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Vt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Vt.
 prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getValue_array,Vt.prototype._getValue_arrayElement,Vt.prototype._getValue_toArray];Vt.
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var L1=new Float32Array(1);var cm=new xt,aa=class{constructor(e,t,n=0,s=1/0){this.ray=new jr(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new Jr,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var B1=new Float32Array(1);var fm=new xt,ca=class{constructor(e,t,n=0,s=1/0){this.ray=new Qr(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new Kr,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
-return cm.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(cm),this}intersectObject(e,t=!0,n=[]){
-return Tu(e,this,n,t),n.sort(hm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Tu(e[s],this,n,t);return n.sort(hm),n}};function hm(i,e){return i.
-distance-e.distance}function Tu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
-a;o++)Tu(r[o],e,t,!0)}}var Au=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var um=new V,ml=new V,Hr=new V,Wr=new V,xu=new V,Ly=new V,Ny=new V,la=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
+return fm.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(fm),this}intersectObject(e,t=!0,n=[]){
+return Au(e,this,n,t),n.sort(pm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Au(e[s],this,n,t);return n.sort(pm),n}};function pm(i,e){return i.
+distance-e.distance}function Au(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
+a;o++)Au(r[o],e,t,!0)}}var Eu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var mm=new V,ml=new V,Wr=new V,Xr=new V,yu=new V,Fy=new V,Oy=new V,ha=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
 e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(
 .5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){
-return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){um.subVectors(e,this.start),ml.subVectors(this.end,this.start);let n=ml.
-dot(ml);if(n===0)return 0;let r=ml.dot(um)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
-n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Ly,n=Ny){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Hr.subVectors(c,a),
-Wr.subVectors(d,l),xu.subVectors(a,l);let u=Hr.dot(Hr),h=Wr.dot(Wr),f=Wr.dot(xu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let m=Hr.dot(xu);if(h<=s)o=0,r=at(-m/u,0,1);else{let y=Hr.dot(Wr),p=u*h-y*y;p!==0?r=at((y*f-m*h)/p,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-m/u,0,
-1)):o>1&&(o=1,r=at((y-m)/u,0,1))}}return t.copy(a).addScaledVector(Hr,r),n.copy(l).addScaledVector(Wr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
-applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ca=class extends Qr{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,m=-a;h<=t;h++,m+=o){l.
-push(-a,0,m,a,0,m),l.push(m,0,-a,m,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
-"position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Cs({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function nd(i,e,t,n){let s=Dy(n);switch(t){case Xu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Us:
+return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){mm.subVectors(e,this.start),ml.subVectors(this.end,this.start);let n=ml.
+dot(ml);if(n===0)return 0;let r=ml.dot(mm)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
+n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Fy,n=Oy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Wr.subVectors(c,a),
+Xr.subVectors(d,l),yu.subVectors(a,l);let u=Wr.dot(Wr),h=Xr.dot(Xr),f=Xr.dot(yu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
+h,o=at(o,0,1);else{let p=Wr.dot(yu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Wr.dot(Xr),m=u*h-y*y;m!==0?r=at((y*f-p*h)/m,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+1)):o>1&&(o=1,r=at((y-p)/u,0,1))}}return t.copy(a).addScaledVector(Wr,r),n.copy(l).addScaledVector(Xr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
+applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ua=class extends eo{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
+push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
+"position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Rs({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
+this.geometry.dispose(),this.material.dispose()}};function id(i,e,t,n){let s=By(n);switch(t){case $u:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Fs:
 return i*e*2/s.components*s.byteLength;case ac:return i*e*2/s.components*s.byteLength;case qu:return i*e*3/s.components*s.byteLength;case wi:return i*e*4/s.components*
-s.byteLength;case lc:return i*e*4/s.components*s.byteLength;case da:case fa:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case pa:case ma:return Math.floor((i+
+s.byteLength;case lc:return i*e*4/s.components*s.byteLength;case pa:case ma:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case ga:case _a:return Math.floor((i+
 3)/4)*Math.floor((e+3)/4)*16;case hc:case dc:return Math.max(i,16)*Math.max(e,8)/4;case cc:case uc:return Math.max(i,8)*Math.max(e,8)/2;case fc:case pc:case gc:case _c:
-return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case mc:case ga:case xc:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case yc:return Math.floor((i+3)/4)*Math.
-floor((e+3)/4)*16;case vc:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case Mc:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case bc:return Math.floor(
+return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case mc:case xa:case xc:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case yc:return Math.floor((i+3)/4)*Math.
+floor((e+3)/4)*16;case vc:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case bc:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case Mc:return Math.floor(
 (i+5)/6)*Math.floor((e+4)/5)*16;case Sc:return Math.floor((i+5)/6)*Math.floor((e+5)/6)*16;case wc:return Math.floor((i+7)/8)*Math.floor((e+4)/5)*16;case Tc:return Math.
 floor((i+7)/8)*Math.floor((e+5)/6)*16;case Ac:return Math.floor((i+7)/8)*Math.floor((e+7)/8)*16;case Ec:return Math.floor((i+9)/10)*Math.floor((e+4)/5)*16;case Cc:
 return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Rc:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Pc:return Math.floor((i+9)/10)*Math.floor((e+
 9)/10)*16;case Ic:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Lc:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Nc:case Dc:case Uc:return Math.
-ceil(i/4)*Math.ceil(e/4)*16;case Fc:case Oc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case _a:case Bc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function Dy(i){switch(i){case Hn:case Vu:return{byteLength:1,components:1};case oo:case Gu:case Si:
-return{byteLength:2,components:1};case ic:case sc:return{byteLength:2,components:4};case bi:case nc:case hi:return{byteLength:4,components:1};case Hu:case Wu:return{
-byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?$e("\
-WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Mg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
-s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Fy(i){let e=new WeakMap;
+ceil(i/4)*Math.ceil(e/4)*16;case Fc:case Oc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case ya:case Bc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
+le to determine texture byte length for ".concat(t," format."))}function By(i){switch(i){case Hn:case Gu:return{byteLength:1,components:1};case ao:case Hu:case Si:
+return{byteLength:2,components:1};case ic:case sc:return{byteLength:2,components:4};case Mi:case nc:case ui:return{byteLength:4,components:1};case Wu:case Xu:return{
+byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?qe("\
+WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Tg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
+s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function zy(i){let e=new WeakMap;
 function t(a,l){let c=a.array,d=a.usage,u=c.byteLength,h=i.createBuffer();i.bindBuffer(l,h),i.bufferData(l,c,d),a.onUploadCallback();let f;if(c instanceof Float32Array)
 f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=i.HALF_FLOAT:f=
 i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof
 Int8Array)f=i.BYTE;else if(c instanceof Uint8Array)f=i.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)f=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLA\
 ttributes: Unsupported buffer data format: "+c);return{buffer:h,type:f,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:u}}function n(a,l,c){let d=l.array,
-u=l.updateRanges;if(i.bindBuffer(c,a),u.length===0)i.bufferSubData(c,0,d);else{u.sort((f,m)=>f.start-m.start);let h=0;for(let f=1;f<u.length;f++){let m=u[h],y=u[f];
-y.start<=m.start+m.count+1?m.count=Math.max(m.count,y.start+y.count-m.start):(++h,u[h]=y)}u.length=h+1;for(let f=0,m=u.length;f<m;f++){let y=u[f];i.bufferSubData(
+u=l.updateRanges;if(i.bindBuffer(c,a),u.length===0)i.bufferSubData(c,0,d);else{u.sort((f,p)=>f.start-p.start);let h=0;for(let f=1;f<u.length;f++){let p=u[h],y=u[f];
+y.start<=p.start+p.count+1?p.count=Math.max(p.count,y.start+y.count-p.start):(++h,u[h]=y)}u.length=h+1;for(let f=0,p=u.length;f<p;f++){let y=u[f];i.bufferSubData(
 c,y.start*d.BYTES_PER_ELEMENT,d,y.start,y.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(
 a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&
 (a=a.data),a.isGLBufferAttribute){let d=e.get(a);(!d||d.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
 return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
  of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{
-get:s,remove:r,update:o}}var Oy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",By="#ifdef USE_ALPHAHASH\n c\
+get:s,remove:r,update:o}}var Vy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Gy="#ifdef USE_ALPHAHASH\n c\
 onst float ALPHA_HASH_SCALE = 0.05;\n float hash2D( vec2 value ) {\n  return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value\
 .y + value.x ) ) ) );\n }\n float hash3D( vec3 value ) {\n  return hash2D( vec2( hash2D( value.xy ), value.z ) );\n }\n float getAlphaHashThreshold( vec3 position ) \
 {\n  float maxDeriv = max(\n   length( dFdx( position.xyz ) ),\n   length( dFdy( position.xyz ) )\n  );\n  float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );\n  \
@@ -1648,28 +1649,28 @@ vec2 pixScales = vec2(\n   exp2( floor( log2( pixScale ) ) ),\n   exp2( ceil( lo
 ion.xyz ) ),\n   hash3D( floor( pixScales.y * position.xyz ) )\n  );\n  float lerpFactor = fract( log2( pixScale ) );\n  float x = ( 1.0 - lerpFactor ) * alpha.x + \
 lerpFactor * alpha.y;\n  float a = min( lerpFactor, 1.0 - lerpFactor );\n  vec3 cases = vec3(\n   x * x / ( 2.0 * a * ( 1.0 - a ) ),\n   ( x - 0.5 * a ) / ( 1.0 - a\
  ),\n   1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )\n  );\n  float threshold = ( x < ( 1.0 - a ) )\n   ? ( ( x < a ) ? cases.x : cases.y )\n   : \
-cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",ky="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",zy="\
-#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Vy="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
- + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",Gy="\
-#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",Hy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
+cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",Hy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",Wy="\
+#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Xy="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
+ + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",$y="\
+#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",qy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
 y + 1.0;\n reflectedLight.indirectDiffuse *= ambientOcclusion;\n #if defined( USE_CLEARCOAT ) \n  clearcoatSpecularIndirect *= ambientOcclusion;\n #endif\n #if defin\
 ed( USE_SHEEN ) \n  sheenSpecularIndirect *= ambientOcclusion;\n #endif\n #if defined( USE_ENVMAP ) && defined( STANDARD )\n  float dotNV = saturate( dot( geometryN\
-ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Wy="\
-#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",Xy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
+ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Yy="\
+#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",Zy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
 rawID _gl_DrawID\n uniform int _gl_DrawID;\n #endif\n uniform highp sampler2D batchingTexture;\n uniform highp usampler2D batchingIdTexture;\n mat4 getBatchingMatrix\
 ( const in float i ) {\n  int size = textureSize( batchingTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % size;\n  int y = j / size;\n  vec4 v1 = texelFetch(\
  batchingTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y \
 ), 0 );\n  vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n float getIndirectIndex( const in int i ) {\n  int s\
 ize = textureSize( batchingIdTexture, 0 ).x;\n  int x = i % size;\n  int y = i / size;\n  return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );\n }\n#\
 endif\n#ifdef USE_BATCHING_COLOR\n uniform sampler2D batchingColorTexture;\n vec4 getBatchingColor( const in float i ) {\n  int size = textureSize( batchingColorTex\
-ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",qy="#if\
-def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",$y="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
-ASH\n vPosition = vec3( position );\n#endif",Yy="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",Zy="\
+ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Jy="#if\
+def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",Ky="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
+ASH\n vPosition = vec3( position );\n#endif",jy="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",Qy="\
 float G_BlinnPhong_Implicit( ) {\n return 0.25;\n}\nfloat D_BlinnPhong( const in float shininess, const in float dotNH ) {\n return RECIPROCAL_PI * ( shininess * 0.\
 5 + 1.0 ) * pow( dotNH, shininess );\n}\nvec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, c\
 onst in float shininess ) {\n vec3 halfDir = normalize( lightDir + viewDir );\n float dotNH = saturate( dot( normal, halfDir ) );\n float dotVH = saturate( dot( vi\
 ewDir, halfDir ) );\n vec3 F = F_Schlick( specularColor, 1.0, dotVH );\n float G = G_BlinnPhong_Implicit( );\n float D = D_BlinnPhong( shininess, dotNH );\n return \
-F * ( G * D );\n} // validated",Jy="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
+F * ( G * D );\n} // validated",ev="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
 2040259,\n  -0.4985314,  0.0415560,  1.0572252\n );\n vec3 Fresnel0ToIor( vec3 fresnel0 ) {\n  vec3 sqrtF0 = sqrt( fresnel0 );\n  return ( vec3( 1.0 ) + sqrtF0 ) / (\
  vec3( 1.0 ) - sqrtF0 );\n }\n vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmit\
 tedIor + vec3( incidentIor ) ) );\n }\n float IorToFresnel0( float transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - incidentIor ) / ( trans\
@@ -1686,12 +1687,12 @@ seIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );  vec3 R1 = IorToFresnel0(
 escenceIOR ) phi23[ 2 ] = PI;\n  float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;\n  vec3 phi = vec3( phi21 ) + phi23;\n  vec3 R123 = clamp( R12 *\
  R23, 1e-5, 0.9999 );\n  vec3 r123 = sqrt( R123 );\n  vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );\n  vec3 C0 = R12 + Rs;\n  I = C0;\n  vec3 Cm = Rs - T121\
 ;\n  for ( int m = 1; m <= 2; ++ m ) {\n   Cm *= r123;\n   vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );\n   I += Cm * Sm;\n  }\n  return max\
-( I, vec3( 0.0 ) );\n }\n#endif",Ky="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
+( I, vec3( 0.0 ) );\n }\n#endif",tv="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
 v );\n  vec2 dSTdy = dFdy( vBumpMapUv );\n  float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;\n  float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv +\
  dSTdx ).x - Hll;\n  float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;\n  return vec2( dBx, dBy );\n }\n vec3 perturbNormalArb( vec3 surf_po\
 s, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {\n  vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );\n  vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );\n \
  vec3 vN = surf_norm;\n  vec3 R1 = cross( vSigmaY, vN );\n  vec3 R2 = cross( vN, vSigmaX );\n  float fDet = dot( vSigmaX, R1 ) * faceDirection;\n  vec3 vGrad = sign\
-( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",jy="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
+( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",nv="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
 ifdef ALPHA_TO_COVERAGE\n  float distanceToPlane, distanceGradient;\n  float clipOpacity = 1.0;\n  #pragma unroll_loop_start\n  for ( int i = 0; i < UNION_CLIPPING_\
 PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;\n   distanceGradient = fwidth( distanceToPlane\
  ) / 2.0;\n   clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );\n   if ( clipOpacity == 0.0 ) discard;\n  }\n  #pragma unroll_loop\
@@ -1702,13 +1703,13 @@ _end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   float unionClipOpaci
 or ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;\n  }\n  #pragma u\
 nroll_loop_end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   bool clipped = true;\n   #pragma unroll_loop_start\n   for ( int i = UNION_CLIPPING_PLANES; i \
 < NUM_CLIPPING_PLANES; i ++ ) {\n    plane = clippingPlanes[ i ];\n    clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;\n   }\n   #pragma unroll_\
-loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",Qy="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
-CLIPPING_PLANES ];\n#endif",ev="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",tv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
-.xyz;\n#endif",nv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",iv="#if defined( USE_COLOR ) || defined( USE_COLOR_\
-ALPHA )\n varying vec4 vColor;\n#endif",sv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
-OLOR )\n varying vec4 vColor;\n#endif",rv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
+loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",iv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
+CLIPPING_PLANES ];\n#endif",sv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",rv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
+.xyz;\n#endif",ov="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",av="#if defined( USE_COLOR ) || defined( USE_COLOR_\
+ALPHA )\n varying vec4 vColor;\n#endif",lv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
+OLOR )\n varying vec4 vColor;\n#endif",cv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
 LOR )\n vColor = vec4( 1.0 );\n#endif\n#ifdef USE_COLOR_ALPHA\n vColor *= color;\n#elif defined( USE_COLOR )\n vColor.rgb *= color;\n#endif\n#ifdef USE_INSTANCING_COLOR\
-\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",ov="#define PI 3.\
+\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",hv="#define PI 3.\
 141592653589793\n#define PI2 6.283185307179586\n#define PI_HALF 1.5707963267948966\n#define RECIPROCAL_PI 0.3183098861837907\n#define RECIPROCAL_PI2 0.1591549430918\
 9535\n#define EPSILON 1e-6\n#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\nfloat pow2( co\
 nst in float x ) { return x*x; }\nvec3 pow2( const in vec3 x ) { return x*x; }\nfloat pow3( const in float x ) { return x*x*x; }\nfloat pow4( const in float x ) { \
@@ -1724,51 +1725,51 @@ c4( dir, 0.0 ) * viewMatrix ).xyz );\n}\nbool isPerspectiveMatrix( mat4 m ) {\n 
 r.z, dir.x ) * RECIPROCAL_PI2 + 0.5;\n float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;\n return vec2( u, v );\n}\nvec3 BRDF_Lambert( const in ve\
 c3 diffuseColor ) {\n return RECIPROCAL_PI * diffuseColor;\n}\nvec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {\n float fresnel = exp2\
 ( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n}\nfloat F_Schlick( const in float f0, const in float f90, const\
- in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",av="\
+ in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",uv="\
 vec3 transformedNormal = objectNormal;\n#ifdef USE_TANGENT\n vec3 transformedTangent = objectTangent;\n#endif\n#ifdef USE_BATCHING\n mat3 bm = mat3( batchingMatrix )\
 ;\n transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );\n transformedNormal = bm * transformedNormal;\n #ifdef \
 USE_TANGENT\n  transformedTangent = bm * transformedTangent;\n #endif\n#endif\n#ifdef USE_INSTANCING\n mat3 im = mat3( instanceMatrix );\n transformedNormal /= vec3( \
 dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );\n transformedNormal = im * transformedNormal;\n #ifdef USE_TANGENT\n  transformedTange\
 nt = im * transformedTangent;\n #endif\n#endif\ntransformedNormal = normalMatrix * transformedNormal;\n#ifdef FLIP_SIDED\n transformedNormal = - transformedNormal;\n#\
-endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",lv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
-pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",cv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
-objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",hv="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
+endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",dv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
+pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",fv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
+objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",pv="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
 veColor = texture2D( emissiveMap, vEmissiveMapUv );\n #ifdef DECODE_VIDEO_TEXTURE_EMISSIVE\n  emissiveColor = sRGBTransferEOTF( emissiveColor );\n #endif\n totalEmi\
-ssiveRadiance *= emissiveColor.rgb;\n#endif",uv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",dv="gl_FragColor = linearToOutputTexel( gl_Fra\
-gColor );",fv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
+ssiveRadiance *= emissiveColor.rgb;\n#endif",mv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",gv="gl_FragColor = linearToOutputTexel( gl_Fra\
+gColor );",_v="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
 2986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );\n}\nvec4 sRGBTransferOETF(\
  in vec4 value ) {\n return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031\
-308 ) ) ) ), value.a );\n}",pv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
+308 ) ) ) ), value.a );\n}",xv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
 atrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToFrag = normalize( vWorldPosition - cameraPosition );\n  }\n  vec3 world\
 Normal = transformNormalByInverseViewMatrix( normal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vec3 reflectVec = reflect( cameraToFrag, worldNormal );\n  \
 #else\n   vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );\n  #endif\n #else\n  vec3 reflectVec = vReflect;\n #endif\n #ifdef ENVMAP_TYPE_CUBE\
 \n  vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );\n  #ifdef ENVMAP_BLENDING_MULTIPLY\n   outgoingLight = mix( outgoingLight, outgoingLight * \
 envColor.xyz, specularStrength * reflectivity );\n  #elif defined( ENVMAP_BLENDING_MIX )\n   outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * \
-reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",mv="#if\
+reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",yv="#if\
 def USE_ENVMAP\n uniform float envMapIntensity;\n uniform mat3 envMapRotation;\n uniform samplerCube envMap;\n #ifdef ENVMAP_TYPE_PMREM\n  float roughnessToMip( cons\
-t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",gv="#ifdef USE_ENVMAP\n \
+t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",vv="#ifdef USE_ENVMAP\n \
 uniform float reflectivity;\n #if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #i\
-fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",_v="#ifdef USE_ENVMAP\n #\
+fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",bv="#ifdef USE_ENVMAP\n #\
 if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #ifdef ENV_WORLDPOS\n  \n  varying\
- vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",xv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
+ vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Mv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
 osition = worldPosition.xyz;\n #else\n  vec3 cameraToVertex;\n  if ( isOrthographic ) {\n   cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ \
 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToVertex = normalize( worldPosition.xyz - cameraPosition );\n  }\n  vec3 worldNormal = transformNormalBy\
 InverseViewMatrix( transformedNormal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vReflect = reflect( cameraToVertex, worldNormal );\n  #else\n   vReflect = \
-refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",yv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",vv="#ifdef USE_FO\
-G\n varying float vFogDepth;\n#endif",Mv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
-else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",bv="#if\
+refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Sv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",wv="#ifdef USE_FO\
+G\n varying float vFogDepth;\n#endif",Tv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
+else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Av="#if\
 def USE_FOG\n uniform vec3 fogColor;\n varying float vFogDepth;\n #ifdef FOG_EXP2\n  uniform float fogDensity;\n #else\n  uniform float fogNear;\n  uniform float fogFa\
-r;\n #endif\n#endif",Sv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
+r;\n #endif\n#endif",Ev="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
 otNL = dot( normal, lightDirection );\n vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );\n #ifdef USE_GRADIENTMAP\n  return vec3( texture2D( gradientMap, coord ).r );\n\
- #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",wv="#ifdef USE\
-_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Tv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
-rial.specularStrength = specularStrength;",Av="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
+ #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Cv="#ifdef USE\
+_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Rv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
+rial.specularStrength = specularStrength;",Pv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
 ct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geome\
 tryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.directi\
 on ) );\n vec3 irradiance = dotNL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDif\
 fuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClear\
 coatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.di\
-ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Ev="uniform bool receiveShadow;\nuniform vec3 a\
+ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Iv="uniform bool receiveShadow;\nuniform vec3 a\
 mbientLightColor;\n#if defined( USE_LIGHT_PROBES )\n uniform vec3 lightProbe[ 9 ];\n#endif\nvec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {\n\
  float x = normal.x, y = normal.y, z = normal.z;\n vec3 result = shCoefficients[ 0 ] * 0.886227;\n result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;\n result += \
 shCoefficients[ 2 ] * 2.0 * 0.511664 * z;\n result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;\n result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;\n result \
@@ -1798,7 +1799,7 @@ r = vec3( 0.0 );\n   light.visible = false;\n  }\n }\n#endif\n#if NUM_RECT_AREA_
 TS > 0\n struct HemisphereLight {\n  vec3 direction;\n  vec3 skyColor;\n  vec3 groundColor;\n };\n uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];\n vec3 \
 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {\n  float dotNL = dot( normal, hemiLight.direction );\n  float hemiDiffu\
 seWeight = 0.5 * dotNL + 0.5;\n  vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );\n  return irradiance;\n }\n#endif\n#include <\
-lightprobes_pars_fragment>",Cv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
+lightprobes_pars_fragment>",Lv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
 malByInverseViewMatrix( normal, viewMatrix );\n   vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );\n   return PI * envMapCol\
 or.rgb * envMapIntensity;\n  #else\n   return vec3( 0.0 );\n  #endif\n }\n vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness\
  ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 reflectVec = reflect( - viewDir, normal );\n   reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );\n  \
@@ -1814,14 +1815,14 @@ TROPY\n  vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 nor
 const in float roughness, const in vec3 bitangent, const in float anisotropy ) {\n    #ifdef ENVMAP_TYPE_PMREM\n     vec3 bentNormal = cross( bitangent, viewDir )\
 ;\n     bentNormal = normalize( cross( bentNormal, bitangent ) );\n     bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - ro\
 ughness ) ) ) ) );\n     return getIBLRetroRadiance( viewDir, bentNormal, roughness );\n    #else\n     return vec3( 0.0 );\n    #endif\n   }\n  #endif\n #endif\n#endif",
-Rv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Pv="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
+Nv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Dv="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
 ct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometry\
 ClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {\n vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.d\
 irection ) * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDiffuse_Toon( const in ve\
 c3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Toon\
 Material material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\n#define RE_D\
-irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Iv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
-l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Lv="varying vec3 vViewPosition;\nstruct Blin\
+irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Uv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
+l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Fv="varying vec3 vViewPosition;\nstruct Blin\
 nPhongMaterial {\n vec3 diffuseColor;\n vec3 specularColor;\n float specularShininess;\n float specularStrength;\n};\nvoid RE_Direct_BlinnPhong( const in IncidentLigh\
 t directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Blin\
 nPhongMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.direction ) );\n vec3 irradiance = dot\
@@ -1829,7 +1830,7 @@ NL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lamb
 _BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;\n}\nvoid RE\
 _IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec\
 3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_La\
-mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Nv="PhysicalMaterial m\
+mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Ov="PhysicalMaterial m\
 aterial;\nmaterial.diffuseColor = diffuseColor.rgb;\nmaterial.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );\nmaterial.metalness = metalnessFa\
 ctor;\nvec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );\nfloat geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );\nmater\
 ial.roughness = max( roughnessFactor, 0.045 );\nmaterial.roughness += geometryRoughness;\nmaterial.roughness = min( material.roughness, 1.0 );\n#ifdef USE_DIFFUSE_\
@@ -1857,7 +1858,7 @@ exture2D( anisotropyMap, vAnisotropyMapUv ).rgb;\n  vec2 anisotropyV = anisotrop
 #else\n  vec2 anisotropyV = anisotropyVector;\n #endif\n material.anisotropy = length( anisotropyV );\n if( material.anisotropy == 0.0 ) {\n  anisotropyV = vec2( 1.0\
 , 0.0 );\n } else {\n  anisotropyV /= material.anisotropy;\n  material.anisotropy = saturate( material.anisotropy );\n }\n material.alphaT = mix( pow2( material.roug\
 hness ), 1.0, pow2( material.anisotropy ) );\n material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;\n material.anisotropyB = tbn[ 1 ] * ani\
-sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Dv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
+sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Bv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
 cularColor;\n vec3 specularColorBlended;\n float roughness;\n float metalness;\n float specularF90;\n float dispersion;\n vec2 dfg;\n vec3 multiScatteringCompensation;\
 \n #ifdef USE_DIFFUSE_ROUGHNESS\n  float diffuseRoughness;\n #endif\n #ifdef USE_RETROREFLECTION\n  float retroreflectivity;\n #endif\n #ifdef USE_CLEARCOAT\n  float cl\
 earcoat;\n  float clearcoatRoughness;\n  vec3 clearcoatF0;\n  float clearcoatF90;\n #endif\n #ifdef USE_IRIDESCENCE\n  float iridescence;\n  float iridescenceIOR;\n  fl\
@@ -1990,7 +1991,7 @@ nce;\n vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;\n #ifdef USE_S
 nergyComp;\n #endif\n reflectedLight.indirectSpecular += indirectSpecular;\n reflectedLight.indirectDiffuse += indirectDiffuse;\n}\n#define RE_Direct    RE_Direct_Ph\
 ysical\n#define RE_Direct_RectArea  RE_Direct_RectArea_Physical\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Physical\n#define RE_IndirectSpecular  RE_IndirectS\
 pecular_Physical\nfloat computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {\n return saturate( pow( dotN\
-V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Uv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
+V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",kv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
 mal;\nvec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );\nvec3 geometryClearcoatNormal = vec3( 0.0 );\n#ifdef USE_CLEARCOAT\n\
  geometryClearcoatNormal = clearcoatNormal;\n#endif\n#ifdef USE_IRIDESCENCE\n float dotNVi = saturate( dot( normal, geometryViewDir ) );\n if ( material.iridescence\
 Thickness == 0.0 ) {\n  material.iridescence = 0.0;\n } else {\n  material.iridescence = saturate( material.iridescence );\n }\n if ( material.iridescence > 0.0 ) {\n\
@@ -2040,7 +2041,7 @@ ion, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;\n  vec3 probeWorldNormal = tr
 Min[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;\n  }\n  #pragma unroll_loop_end\n  #pragma unroll_loop_start\n  for ( int i = 0\
 ; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {\n   if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probe\
 sMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if defined( RE_IndirectSpecular )\n vec3 radia\
-nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Fv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
+nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",zv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
  lightMap, vLightMapUv );\n  vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;\n  irradiance += lightMapIrradiance;\n #endif\n #if defined( USE_ENVMA\
 P ) && defined( ENVMAP_TYPE_PMREM )\n  #if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )\n   iblIrradiance += getIBLIrradiance( geometryNormal );\n\
   #endif\n #endif\n#endif\n#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )\n #ifdef USE_ANISOTROPY\n  vec3 iblRadiance = getIBLAnisotropyRadiance( geomet\
@@ -2049,10 +2050,10 @@ yNormal, material.roughness );\n #endif\n #ifdef USE_RETROREFLECTION\n  #ifdef U
 wDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );\n  #else\n   vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, \
 geometryNormal, material.roughness );\n  #endif\n  iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );\n #endif\n radiance +\
 = iblRadiance;\n #ifdef USE_CLEARCOAT\n  clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );\n #endif\n#en\
-dif",Ov="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
+dif",Vv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
 eometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endif\n#if defined( RE_IndirectSpecular )\n RE_IndirectSpe\
 cular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endi\
-f",Bv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
+f",Gv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
 obesMax[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];\nbool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 pro\
 besMin, vec3 probesMax, vec3 probesResolution ) {\n vec3 spacing = ( probesMax - probesMin ) / probesResolution;\n vec3 samplePos = worldPos + worldNormal * spaci\
 ng * 0.5;\n vec3 margin = spacing * 0.01;\n return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin )\
@@ -2068,56 +2069,56 @@ xy );\n vec3 c2 = vec3( s1.zw, s2.x );\n vec3 c3 = s2.yzw;\n vec3 c4 = s3.xyz;\n
 vec3 c8 = s6.xyz;\n float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;\n vec3 result = c0 * 0.886227;\n result += c1 * 2.0 * 0.511664 * y;\n result += c\
 2 * 2.0 * 0.511664 * z;\n result += c3 * 2.0 * 0.511664 * x;\n result += c4 * 2.0 * 0.429043 * x * y;\n result += c5 * 2.0 * 0.429043 * y * z;\n result += c6 * ( 0.\
 743125 * z * z - 0.247708 );\n result += c7 * 2.0 * 0.429043 * x * z;\n result += c8 * 0.429043 * ( x * x - y * y );\n return max( result, vec3( 0.0 ) );\n}\n#endif",
-kv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",zv="\
-#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Vv="#ifdef USE_L\
-OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Gv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
-tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",Hv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
-#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Wv="#ifde\
-f USE_MAP\n uniform sampler2D map;\n#endif",Xv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
+Hv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Wv="\
+#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Xv="#ifdef USE_L\
+OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",$v="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
+tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",qv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
+#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Yv="#ifde\
+f USE_MAP\n uniform sampler2D map;\n#endif",Zv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
 v = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;\n #endif\n#endif\n#ifdef USE_MAP\n diffuseColor *= texture2D( map, uv );\n#endif\n#ifdef U\
-SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",qv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
+SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Jv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
 ed( USE_ALPHAMAP )\n  uniform mat3 uvTransform;\n #endif\n#endif\n#ifdef USE_MAP\n uniform sampler2D map;\n#endif\n#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#en\
-dif",$v="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
-Metalness.b;\n#endif",Yv="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",Zv="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
+dif",Kv="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
+Metalness.b;\n#endif",jv="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",Qv="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
 TARGETS_COUNT ];\n float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) \
-{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",Jv="#if defined( USE_MORPHCOLORS )\n #if defined( U\
+{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",eb="#if defined( USE_MORPHCOLORS )\n #if defined( U\
 SE_COLOR_ALPHA )\n  vColor *= morphTargetBaseInfluence;\n #elif defined( USE_COLOR )\n  vColor.rgb *= morphTargetBaseInfluence;\n #endif\n for ( int i = 0; i < MORPH\
 TARGETS_COUNT; i ++ ) {\n  #if defined( USE_COLOR_ALPHA )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInflue\
 nces[ i ];\n  #elif defined( USE_COLOR )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ]\
-;\n  #endif\n }\n#endif",Kv="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
-argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",jv="#ifdef USE_MORPHTARGETS\n #ifndef \
+;\n  #endif\n }\n#endif",tb="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
+argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",nb="#ifdef USE_MORPHTARGETS\n #ifndef \
 USE_INSTANCING_MORPH\n  uniform float morphTargetBaseInfluence;\n  uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];\n #endif\n uniform sampler2DArray morp\
 hTargetsTexture;\n uniform ivec2 morphTargetsTextureSize;\n vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {\n  int \
 texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;\n  int y = texelIndex / morphTargetsTextureSize.x;\n  int x = texelIndex - y * morphTargetsTextur\
-eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",Qv="#ifdef USE_MORPHTARGETS\n \
+eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",ib="#ifdef USE_MORPHTARGETS\n \
 transformed *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( \
-gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",eM="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
+gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",sb="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
 vViewPosition );\n vec3 fdy = dFdy( vViewPosition );\n vec3 normal = normalize( cross( fdx, fdy ) );\n#else\n vec3 normal = normalize( vNormal );\n #ifdef DOUBLE_SID\
 ED\n  normal *= faceDirection;\n #endif\n#endif\n#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )\n #ifde\
 f USE_TANGENT\n  mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn = getTangentFrame( - vViewPosition, normal,\n  #if d\
 efined( USE_NORMALMAP )\n   vNormalMapUv\n  #elif defined( USE_CLEARCOAT_NORMALMAP )\n   vClearcoatNormalMapUv\n  #else\n   vUv\n  #endif\n  );\n #endif\n #ifdef DOUBLE_\
 SIDED\n  tbn[0] *= faceDirection;\n  tbn[1] *= faceDirection;\n #endif\n#endif\n#ifdef USE_CLEARCOAT_NORMALMAP\n #ifdef USE_TANGENT\n  mat3 tbn2 = mat3( normalize( vTa\
 ngent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );\n #endif\n #ifdef DOUBLE_SIDED\
-\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",tM="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
+\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",rb="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
 exture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\n #ifdef FLIP_SIDED\n  normal = - normal;\n #endif\n #ifdef DOUBLE_SIDED\n  normal = normal * faceDirection;\n #e\
 ndif\n normal = normalize( normalMatrix * normal );\n#elif defined( USE_NORMALMAP_TANGENTSPACE )\n vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0\
 ;\n #if defined( USE_PACKED_NORMALMAP )\n  mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );\n #endif\n mapN.xy *= normalScale;\n normal = n\
-ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",nM="#ifndef F\
-LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",iM="#ifndef FLAT_SHADED\n varying\
- vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",sM="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
+ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",ob="#ifndef F\
+LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",ab="#ifndef FLAT_SHADED\n varying\
+ vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",lb="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
 ormedNormal );\n #ifdef USE_TANGENT\n  vTangent = normalize( transformedTangent );\n  vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );\n  #ifdef FL\
-IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",rM="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
+IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",cb="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
 def USE_NORMALMAP_OBJECTSPACE\n uniform mat3 normalMatrix;\n#endif\n#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEA\
 RCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )\n mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {\n  vec3 q0 = dFdx( eye_pos.xyz );\n  vec3 q1 = d\
 Fdy( eye_pos.xyz );\n  vec2 st0 = dFdx( uv.st );\n  vec2 st1 = dFdy( uv.st );\n  vec3 N = surf_norm;\n  vec3 q1perp = cross( q1, N );\n  vec3 q0perp = cross( N, q0 )\
 ;\n  vec3 T = q1perp * st0.x + q0perp * st1.x;\n  vec3 B = q1perp * st0.y + q0perp * st1.y;\n  float det = max( dot( T, T ), dot( B, B ) );\n  float scale = ( det =\
-= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",oM="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
-\n#endif",aM="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
-clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",lM="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
+= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",hb="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
+\n#endif",ub="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
+clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",db="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
  USE_CLEARCOAT_NORMALMAP\n uniform sampler2D clearcoatNormalMap;\n uniform vec2 clearcoatNormalScale;\n#endif\n#ifdef USE_CLEARCOAT_ROUGHNESSMAP\n uniform sampler2D \
-clearcoatRoughnessMap;\n#endif",cM="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
-ridescenceThicknessMap;\n#endif",hM="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
-FragColor = vec4( outgoingLight, diffuseColor.a );",uM="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
+clearcoatRoughnessMap;\n#endif",fb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
+ridescenceThicknessMap;\n#endif",pb="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
+FragColor = vec4( outgoingLight, diffuseColor.a );",mb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
 ToNormal( const in vec3 rgb ) {\n return 2.0 * rgb.xyz - 1.0;\n}\nconst float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float Shift\
 Right8 = 1. / 256.;\nconst float Inv255 = 1. / 255.;\nconst vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );\nconst vec2 UnpackFactors2\
  = vec2( UnpackDownscale, 1.0 / PackFactors.g );\nconst vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );\nconst vec4 UnpackFac\
@@ -2135,13 +2136,13 @@ ear - far );\n}\nfloat orthographicDepthToViewZ( const in float depth, const in 
 pth * ( far - near ) - far;\n #else\n  return depth * ( near - far ) - near;\n #endif\n}\nfloat viewZToPerspectiveDepth( const in float viewZ, const in float near, c\
 onst in float far ) {\n return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );\n}\nfloat perspectiveDepthToViewZ( const in float depth, const in float nea\
 r, const in float far ) {\n \n #ifdef USE_REVERSED_DEPTH_BUFFER\n  return ( near * far ) / ( ( near - far ) * depth - near );\n #else\n  return ( near * far ) / ( ( \
-far - near ) * depth - far );\n #endif\n}",dM="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",fM="vec4 mvPosition = vec4( transformed\
+far - near ) * depth - far );\n #endif\n}",gb="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",_b="vec4 mvPosition = vec4( transformed\
 , 1.0 );\n#ifdef USE_BATCHING\n mvPosition = batchingMatrix * mvPosition;\n#endif\n#ifdef USE_INSTANCING\n mvPosition = instanceMatrix * mvPosition;\n#endif\nmvPositio\
-n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",pM="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
-mM="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
+n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",xb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
+yb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
 0, 0.25 / 255.0 );\n  dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );\n  return color + dither_shift_RGB;\n }\n#endif",
-gM="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
-ness.g;\n#endif",_M="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",xM="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
+vb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
+ness.g;\n#endif",bb="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Mb="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
 T_LIGHT_COORDS ];\n#endif\n#if NUM_SPOT_LIGHT_MAPS > 0\n uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHAD\
 OWS > 0\n  #define SUN_LIGHT_CASCADES 2\n  #if defined( SHADOWMAP_TYPE_PCF )\n   uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #else\n   uniform \
 sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #endif\n  uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];\n  uniform vec4 sunShadow\
@@ -2205,7 +2206,7 @@ dowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 sh
 wSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {\n   float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpace\
 Z * ( shadowCameraFar - shadowCameraNear ) );\n   dp += shadowBias;\n   vec3 bd3D = normalize( lightToPosition );\n   float depth = textureCube( shadowMap, bd3D ).\
 r;\n   #ifdef USE_REVERSED_DEPTH_BUFFER\n    depth = 1.0 - depth;\n   #endif\n   shadow = step( dp, depth );\n  }\n  return mix( 1.0, shadow, shadowIntensity );\n }\n #\
-endif\n #endif\n#endif",yM="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
+endif\n #endif\n#endif",Sb="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
 COORDS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  varying vec4 vSunShadowWorldPosition;\n  varying vec3 vSunShadowWorldNormal;\n #endif\n #if \
 NUM_DIR_LIGHT_SHADOWS > 0\n  uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];\n  varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];\n  st\
 ruct DirectionalLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shadowMapSize;\n  };\n  uni\
@@ -2214,7 +2215,7 @@ Intensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRad
 OT_LIGHT_SHADOWS ];\n #endif\n #if NUM_POINT_LIGHT_SHADOWS > 0\n  uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];\n  varying vec4 vPointShadowCoord[ NUM_\
 POINT_LIGHT_SHADOWS ];\n  struct PointLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shad\
 owMapSize;\n   float shadowCameraNear;\n   float shadowCameraFar;\n  };\n  uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];\n #endif\n#endif",
-vM="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
+wb="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
  )\n #ifdef HAS_NORMAL\n  vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );\n #else\n  vec3 shadowWorldNormal = vec3( 0.\
 0 );\n #endif\n vec4 shadowWorldPosition;\n#endif\n#if defined( USE_SHADOWMAP )\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  vSunShadowWorldPosition = vec4( worldPosition.xyz, \
 - mvPosition.z );\n  vSunShadowWorldNormal = shadowWorldNormal;\n #endif\n #if NUM_DIR_LIGHT_SHADOWS > 0\n  #pragma unroll_loop_start\n  for ( int i = 0; i < NUM_DIR\
@@ -2224,7 +2225,7 @@ op_start\n  for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n   shadowWor
 owNormalBias, 0 );\n   vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if NUM_SPOT_LIGHT_COO\
 RDS > 0\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {\n  shadowWorldPosition = worldPosition;\n  #if ( defined( USE_SHADOWMAP )\
  && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )\n   shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;\n  #endif\n  vSpotLig\
-htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",MM="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
+htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Tb="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
 HADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n SunLightShadow sunLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {\n  sunLight = \
 sunLightShadows[ i ];\n  shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #\
 if NUM_DIR_LIGHT_SHADOWS > 0\n DirectionalLightShadow directionalLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {\n  direct\
@@ -2236,19 +2237,19 @@ ius, vSpotLightCoord[ i ] ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #if 
 _TYPE_BASIC ) )\n PointLightShadow pointLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n  pointLight = pointLightShadow\
 s[ i ];\n  shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight\
 .shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #endif\n return shad\
-ow;\n}",bM="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
-inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",SM="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
+ow;\n}",Ab="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
+inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Eb="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
 m highp sampler2D boneTexture;\n mat4 getBoneMatrix( const in float i ) {\n  int size = textureSize( boneTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % siz\
 e;\n  int y = j / size;\n  vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFe\
-tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",wM="#ifde\
+tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Cb="#ifde\
 f USE_SKINNING\n vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );\n vec4 skinned = vec4( 0.0 );\n skinned += boneMatX * skinVertex * skinWeight.x;\n skinned\
  += boneMatY * skinVertex * skinWeight.y;\n skinned += boneMatZ * skinVertex * skinWeight.z;\n skinned += boneMatW * skinVertex * skinWeight.w;\n transformed = ( b\
-indMatrixInverse * skinned ).xyz;\n#endif",TM="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
+indMatrixInverse * skinned ).xyz;\n#endif",Rb="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
 ight.y * boneMatY;\n skinMatrix += skinWeight.z * boneMatZ;\n skinMatrix += skinWeight.w * boneMatW;\n skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;\n o\
 bjectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;\n #ifdef USE_TANGENT\n  objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;\n #e\
-ndif\n#endif",AM="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
-ar.r;\n#else\n specularStrength = 1.0;\n#endif",EM="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",CM="#if defined( TONE_MAPPING )\n gl_FragCol\
-or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",RM="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
+ndif\n#endif",Pb="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
+ar.r;\n#else\n specularStrength = 1.0;\n#endif",Ib="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Lb="#if defined( TONE_MAPPING )\n gl_FragCol\
+or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Nb="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
 3 LinearToneMapping( vec3 color ) {\n return saturate( toneMappingExposure * color );\n}\nvec3 ReinhardToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n \
 return saturate( color / ( vec3( 1.0 ) + color ) );\n}\nvec3 CineonToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n color = max( vec3( 0.0 ), color - 0\
 .004 );\n return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );\n}\nvec3 RRTAndODTFit( vec3 v ) {\n vec3 a = v * \
@@ -2270,13 +2271,13 @@ ralToneMapping( vec3 color ) {\n const float StartCompression = 0.8 - 0.04;\n co
 r.r, min( color.g, color.b ) );\n float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;\n color -= offset;\n float peak = max( color.r, max( color.g, color.b ) );\n if\
  ( peak < StartCompression ) return color;\n float d = 1. - StartCompression;\n float newPeak = 1. - d * d / ( peak + d - StartCompression );\n color *= newPeak / \
 peak;\n float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );\n return mix( color, vec3( newPeak ), g );\n}\nvec3 CustomToneMapping( vec3 color ) { return\
- color; }",PM="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
+ color; }",Db="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
 nuationDistance = attenuationDistance;\n material.attenuationColor = attenuationColor;\n #ifdef USE_TRANSMISSIONMAP\n  material.transmission *= texture2D( transmis\
 sionMap, vTransmissionMapUv ).r;\n #endif\n #ifdef USE_THICKNESSMAP\n  material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;\n #endif\n vec3 pos = vWor\
 ldPosition;\n vec3 v = normalize( cameraPosition - pos );\n vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );\n vec4 transmitted = getIBLVolumeRef\
 raction(\n  n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,\n  pos, modelMatrix, viewMatrix, projecti\
 onMatrix, material.dispersion, material.ior, material.thickness,\n  material.attenuationColor, material.attenuationDistance );\n material.transmissionAlpha = mix(\
- material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",IM="\
+ material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Ub="\
 #ifdef USE_TRANSMISSION\n uniform float transmission;\n uniform float thickness;\n uniform float attenuationDistance;\n uniform vec3 attenuationColor;\n #ifdef USE_T\
 RANSMISSIONMAP\n  uniform sampler2D transmissionMap;\n #endif\n #ifdef USE_THICKNESSMAP\n  uniform sampler2D thicknessMap;\n #endif\n uniform vec2 transmissionSampler\
 Size;\n uniform sampler2D transmissionSamplerMap;\n uniform mat4 modelMatrix;\n uniform mat4 projectionMatrix;\n varying vec3 vWorldPosition;\n float w0( float a ) {\
@@ -2313,7 +2314,7 @@ Ray;\n   vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );\
 efractionCoords /= 2.0;\n   transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );\n   transmittance = diffuseColor * volumeAttenuation( le\
 ngth( transmissionRay ), attenuationColor, attenuationDistance );\n  #endif\n  vec3 attenuatedColor = transmittance * transmittedLight.rgb;\n  vec3 F = Environment\
 BRDF( n, v, specularColor, specularF90, roughness );\n  float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;\n  return vec4(\
- ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",LM="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
+ ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",Fb="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
  varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAMAP\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n varying vec2 vL\
 ightMapUv;\n#endif\n#ifdef USE_AOMAP\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n varying vec2 vBumpMapUv;\n#endif\n#ifdef USE_NORMALMAP\n varying vec2 vNormal\
 MapUv;\n#endif\n#ifdef USE_EMISSIVEMAP\n varying vec2 vEmissiveMapUv;\n#endif\n#ifdef USE_METALNESSMAP\n varying vec2 vMetalnessMapUv;\n#endif\n#ifdef USE_ROUGHNESSMAP\n\
@@ -2323,7 +2324,7 @@ ef USE_CLEARCOAT_ROUGHNESSMAP\n varying vec2 vClearcoatRoughnessMapUv;\n#endif\n
 CENCE_THICKNESSMAP\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SHEEN_COLORMAP\n varying vec2 vSheenColorMapUv;\n#endif\n#ifdef USE_SHEEN_ROUGHNESSM\
 AP\n varying vec2 vSheenRoughnessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n varying vec2 vSpecularMapUv;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n varying vec2 vSpecularCo\
 lorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransfor\
-m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",NM="#if de\
+m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Ob="#if de\
 fined( USE_UV ) || defined( USE_ANISOTROPY )\n varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n uniform mat3 mapTransform;\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAM\
 AP\n uniform mat3 alphaMapTransform;\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n uniform mat3 lightMapTransform;\n varying vec2 vLightMapUv;\n#endif\n#if\
 def USE_AOMAP\n uniform mat3 aoMapTransform;\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n uniform mat3 bumpMapTransform;\n varying vec2 vBumpMapUv;\n#endif\n#\
@@ -2339,7 +2340,7 @@ ef USE_IRIDESCENCEMAP\n uniform mat3 iridescenceMapTransform;\n varying vec2 vIr
 ceThicknessMapTransform;\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n uniform mat3 specularMapTransform;\n varying vec2 vSpecularMapU\
 v;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n uniform mat3 specularColorMapTransform;\n varying vec2 vSpecularColorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n unif\
 orm mat3 specularIntensityMapTransform;\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransform;\n varyin\
-g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",DM="#if defined( USE_\
+g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Bb="#if defined( USE_\
 UV ) || defined( USE_ANISOTROPY )\n vUv = vec3( uv, 1 ).xy;\n#endif\n#ifdef USE_MAP\n vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_ALPHAMAP\n \
 vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_LIGHTMAP\n vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;\n#e\
 ndif\n#ifdef USE_AOMAP\n vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_BUMPMAP\n vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 \
@@ -2357,27 +2358,27 @@ EN_ROUGHNESSMAP\n vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SH
 specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_C\
 OLORMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) )\
 .xy;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_THICKNESSMAP\n vT\
-hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",UM="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
+hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",kb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
 MAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0\n vec4 worldPosition = vec4( transformed, 1.0 );\n #ifdef USE_BATCHING\n  worldPosition = batchi\
 ngMatrix * worldPosition;\n #endif\n #ifdef USE_INSTANCING\n  worldPosition = instanceMatrix * worldPosition;\n #endif\n worldPosition = modelMatrix * worldPosition;\
-\n#endif",FM="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
-\n}",OM="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
+\n#endif",zb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
+\n}",Vb="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
 TEXTURE\n  texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texCol\
 or.rgb, vec3( 0.04045 ) ) ) ), texColor.w );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include \
-<colorspace_fragment>\n}",BM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
-clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",kM="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
+<colorspace_fragment>\n}",Gb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
+clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Hb="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
 \nuniform mat3 backgroundRotation;\nvarying vec3 vWorldDirection;\n#include <envmap_common_pars_fragment>\nvoid main() {\n #ifdef ENVMAP_TYPE_PMREM\n  vec4 texColor =\
  textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );\n #else\n  vec4 texColor = textureCube( envMap, backgroundRot\
 ation * vWorldDirection );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include <colorspace_fragme\
-nt>\n}",zM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
-x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",VM="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
+nt>\n}",Wb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
+x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Xb="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
 ldDirection;\nvoid main() {\n vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );\n gl_FragColor = texColor;\n gl_FragColor\
-.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",GM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
+.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",$b="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
 rtex>\n#include <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <cli\
 pping_planes_pars_vertex>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n #include <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <\
 morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
-f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",HM="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
+f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",qb="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
 mmon>\n#include <packing>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include \
 <alphahash_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n vec4 diffu\
 seColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #if DEPTH_PACKING == 3200\n  diffuseColor.a = opacity;\n #endif\n #include <map_fragment>\n #include <a\
@@ -2385,34 +2386,34 @@ lphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment
 oordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];\n #else\n  float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;\n #endif\n #if DEPTH\
 _PACKING == 3200\n  gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );\n #elif DEPTH_PACKING == 3201\n  gl_FragColor = packDepthToRGBA( fragCoordZ );\n #elif\
  DEPTH_PACKING == 3202\n  gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );\n #elif DEPTH_PACKING == 3203\n  gl_FragColor = vec4( packDepthToRG( fragCoordZ\
- ), 0.0, 1.0 );\n #endif\n}",WM="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
+ ), 0.0, 1.0 );\n #endif\n}",Yb="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
 ude <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #incl\
 ude <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_ver\
 tex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n\
  #include <displacementmap_vertex>\n #include <project_vertex>\n #include <worldpos_vertex>\n #include <clipping_planes_vertex>\n vWorldPosition = worldPosition.xyz\
-;\n}",XM="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
+;\n}",Zb="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
 \n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment\
 >\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #include <map_fragment>\n #inclu\
 de <alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n float dist = length( vWorldPosition - referencePosition );\n dist = ( dist \
-- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",qM="varying vec3 vWorldDirection\
-;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",$M="\
+- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",Jb="varying vec3 vWorldDirection\
+;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",Kb="\
 uniform sampler2D tEquirect;\nvarying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vec3 direction = normalize( vWorldDirection );\n vec2 sampleUV = equi\
-rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",YM="uniform float\
+rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",jb="uniform float\
  scale;\nattribute float lineDistance;\nvarying float vLineDistance;\n#include <common>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_v\
 ertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n vLineDistance = scale * lineD\
 istance;\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morph\
-target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",ZM="uniform vec3 diff\
+target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",Qb="uniform vec3 diff\
 use;\nuniform float opacity;\nuniform float dashSize;\nuniform float totalSize;\nvarying float vLineDistance;\n#include <common>\n#include <color_pars_fragment>\n#incl\
 ude <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nv\
 oid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n if ( mod( vLineDistance, totalSize ) > dashSize ) {\n  discard;\
 \n }\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n outgoingLight = diffuseColor.rgb;\n \
 #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-JM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
+eM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
 rtex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\
 \n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #if defined ( USE_EN\
 VMAP ) || defined ( USE_SKINNING )\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinbase_vertex>\n  #include <skinnormal_vertex>\n \
  #include <defaultnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #includ\
-e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",KM="uniform vec3 \
+e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",tM="uniform vec3 \
 diffuse;\nuniform float opacity;\n#ifndef FLAT_SHADED\n varying vec3 vNormal;\n#endif\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_frag\
 ment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fra\
 gment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <fog_par\
@@ -2423,14 +2424,14 @@ ht( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );\n #ifdef USE_LIGHTMAP\
 ectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;\n #else\n  reflectedLight.indirectDiffuse += vec3( 1.0 );\n #endif\n #include <aomap_fragment>\n\
  reflectedLight.indirectDiffuse *= diffuseColor.rgb;\n vec3 outgoingLight = reflectedLight.indirectDiffuse;\n #include <envmap_fragment>\n #include <opaque_fragmen\
 t>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragm\
-ent>\n}",jM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
+ent>\n}",nM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
 ars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <morphtarget_pars_verte\
 x>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #in\
 clude <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_ver\
 tex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
 f_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",QM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
+x>\n #include <fog_vertex>\n}",iM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
 s_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_f\
 ragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envm\
 ap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights\
@@ -2442,13 +2443,13 @@ alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragmen
 ormal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_lambert_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_maps>\n #i\
 nclude <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadia\
 nce;\n #include <envmap_fragment>\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include\
- <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",eb="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
+ <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",sM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
 tex>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#inc\
 lude <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include\
  <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n\
  #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <b\
 egin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_ver\
-tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",tb="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
+tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",rM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
 opacity;\nuniform sampler2D matcap;\nvarying vec3 vViewPosition;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_\
 pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fo\
 g_pars_fragment>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#inclu\
@@ -2458,25 +2459,25 @@ ment>\n #include <map_fragment>\n #include <color_fragment>\n #include <alphamap
 \n vec3 y = cross( viewDir, x );\n vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;\n #ifdef USE_MATCAP\n  vec4 matcapColor = texture2D( matcap, \
 uv );\n #else\n  vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );\n #endif\n vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;\n #include <opaqu\
 e_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dither\
-ing_fragment>\n}",nb="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
+ing_fragment>\n}",oM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
 #endif\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <normal_pars_vertex>\n#include\
  <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv\
 _vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n\
  #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skin\
 ning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n#if defined( FLAT_S\
-HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",ib="#define NORMAL\nuniform float opac\
+HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",aM="#define NORMAL\nuniform float opac\
 ity;\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n#endif\n#include <uv_pars_fragmen\
 t>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_p\
 lanes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );\n #include <clipping_planes_fragment>\n #include <logdepthbuf_fragment>\n #\
 include <normal_fragment_begin>\n #include <normal_fragment_maps>\n gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );\n #ifdef OPAQUE\n  gl_Fr\
-agColor.a = 1.0;\n #endif\n}",sb="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
+agColor.a = 1.0;\n #endif\n}",lM="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
  <displacementmap_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <mor\
 phtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\
 \nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include\
  <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <nor\
 mal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #\
 include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #inclu\
-de <shadowmap_vertex>\n #include <fog_vertex>\n}",rb="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
+de <shadowmap_vertex>\n #include <fog_vertex>\n}",cM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
 \nuniform float opacity;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragm\
 ent>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_p\
 ars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragmen\
@@ -2489,14 +2490,14 @@ larmap_fragment>\n #include <normal_fragment_begin>\n #include <normal_fragment_
  <lights_fragment_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.direct\
 Diffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;\n #include <envmap_fragment>\n\
  #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n \
-#include <dithering_fragment>\n}",ob="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
+#include <dithering_fragment>\n}",hM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
 >\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#incl\
 ude <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n\
 #include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_verte\
 x>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include\
  <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap\
 _vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_ver\
-tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",ab="#define STANDARD\n#ifde\
+tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",uM="#define STANDARD\n#ifde\
 f PHYSICAL\n #define IOR\n #define USE_SPECULAR\n#endif\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float roughness;\nuniform float metalness;\nuniform floa\
 t opacity;\n#ifdef IOR\n uniform float ior;\n#endif\n#ifdef USE_SPECULAR\n uniform float specularIntensity;\n uniform vec3 specularColor;\n #ifdef USE_SPECULAR_COLORMA\
 P\n  uniform sampler2D specularColorMap;\n #endif\n #ifdef USE_SPECULAR_INTENSITYMAP\n  uniform sampler2D specularIntensityMap;\n #endif\n#endif\n#ifdef USE_CLEARCOAT\n\
@@ -2522,14 +2523,14 @@ cal_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_map
 SpecularDirect + sheenSpecularIndirect;\n \n  #endif\n #ifdef USE_CLEARCOAT\n  float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );\n  vec3 F\
 cc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );\n  outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecul\
 arDirect + clearcoatSpecularIndirect ) * material.clearcoat;\n #endif\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment\
->\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",lb="#define TOON\nvarying vec3 vViewPosition;\n#include \
+>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",dM="#define TOON\nvarying vec3 vViewPosition;\n#include \
 <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex\
 >\n#include <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_v\
 ertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolo\
 r_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #\
 include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displace\
 mentmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <world\
-pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",cb="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
+pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",fM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
 ude <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_\
 fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emiss\
 ivemap_pars_fragment>\n#include <gradientmap_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_pars_begin>\n#include <normal_pars_frag\
@@ -2540,54 +2541,54 @@ epthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n #inclu
 >\n #include <normal_fragment_begin>\n #include <normal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_toon_fragment>\n #include <lights_fragmen\
 t_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflec\
 tedLight.indirectDiffuse + totalEmissiveRadiance;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fr\
-agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",hb="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
+agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",pM="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
 olor_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\n#ifdef\
  USE_POINTS_UV\n varying vec2 vUv;\n uniform mat3 uvTransform;\n#endif\nvoid main() {\n #ifdef USE_POINTS_UV\n  vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n #endif\n #in\
 clude <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <project_v\
 ertex>\n gl_PointSize = size;\n #ifdef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( projectionMatrix );\n  if ( isPerspective ) gl_PointSize *= \
 ( scale / - mvPosition.z );\n #endif\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <fog_vertex>\n}",
-ub="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
+mM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
 _fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid ma\
 in() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n \
 #include <map_particle_fragment>\n #include <color_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #i\
 nclude <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-db="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
+gM="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
 gdepthbuf_pars_vertex>\n#include <shadowmap_pars_vertex>\nvoid main() {\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex\
 >\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <begin_vertex>\n #include <\
 morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <worldpos_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",fb="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
+x>\n #include <fog_vertex>\n}",_M="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
 ars_begin>\n#include <logdepthbuf_pars_fragment>\n#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>\nvoid main() {\n #include <logdepthbuf_frag\
 ment>\n gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragme\
-nt>\n #include <premultiplied_alpha_fragment>\n}",pb="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
+nt>\n #include <premultiplied_alpha_fragment>\n}",xM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
 s_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n vec4 mvPosition = modelViewMatrix[ 3 ];\
 \n vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );\n #ifndef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( \
 projectionMatrix );\n  if ( isPerspective ) scale *= - mvPosition.z;\n #endif\n vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;\n vec2 ro\
 tatedPosition;\n rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;\n rotatedPosition.y = sin( rotation ) * alignedPos\
 ition.x + cos( rotation ) * alignedPosition.y;\n mvPosition.xy += rotatedPosition;\n gl_Position = projectionMatrix * mvPosition;\n #include <logdepthbuf_vertex>\n \
-#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",mb="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
+#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",yM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
 clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#\
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Oy,alphahash_pars_fragment:By,alphamap_fragment:ky,alphamap_pars_fragment:zy,alphatest_fragment:Vy,
-alphatest_pars_fragment:Gy,aomap_fragment:Hy,aomap_pars_fragment:Wy,batching_pars_vertex:Xy,batching_vertex:qy,begin_vertex:$y,beginnormal_vertex:Yy,bsdfs:Zy,iridescence_fragment:Jy,
-bumpmap_pars_fragment:Ky,clipping_planes_fragment:jy,clipping_planes_pars_fragment:Qy,clipping_planes_pars_vertex:ev,clipping_planes_vertex:tv,color_fragment:nv,
-color_pars_fragment:iv,color_pars_vertex:sv,color_vertex:rv,common:ov,defaultnormal_vertex:av,displacementmap_pars_vertex:lv,displacementmap_vertex:cv,emissivemap_fragment:hv,
-emissivemap_pars_fragment:uv,colorspace_fragment:dv,colorspace_pars_fragment:fv,envmap_fragment:pv,envmap_common_pars_fragment:mv,envmap_pars_fragment:gv,envmap_pars_vertex:_v,
-envmap_physical_pars_fragment:Cv,envmap_vertex:xv,fog_vertex:yv,fog_pars_vertex:vv,fog_fragment:Mv,fog_pars_fragment:bv,gradientmap_pars_fragment:Sv,lightmap_pars_fragment:wv,
-lights_lambert_fragment:Tv,lights_lambert_pars_fragment:Av,lights_pars_begin:Ev,lights_toon_fragment:Rv,lights_toon_pars_fragment:Pv,lights_phong_fragment:Iv,lights_phong_pars_fragment:Lv,
-lights_physical_fragment:Nv,lights_physical_pars_fragment:Dv,lights_fragment_begin:Uv,lights_fragment_maps:Fv,lights_fragment_end:Ov,lightprobes_pars_fragment:Bv,
-logdepthbuf_fragment:kv,logdepthbuf_pars_fragment:zv,logdepthbuf_pars_vertex:Vv,logdepthbuf_vertex:Gv,map_fragment:Hv,map_pars_fragment:Wv,map_particle_fragment:Xv,
-map_particle_pars_fragment:qv,metalnessmap_fragment:$v,metalnessmap_pars_fragment:Yv,morphinstance_vertex:Zv,morphcolor_vertex:Jv,morphnormal_vertex:Kv,morphtarget_pars_vertex:jv,
-morphtarget_vertex:Qv,normal_fragment_begin:eM,normal_fragment_maps:tM,normal_pars_fragment:nM,normal_pars_vertex:iM,normal_vertex:sM,normalmap_pars_fragment:rM,
-clearcoat_normal_fragment_begin:oM,clearcoat_normal_fragment_maps:aM,clearcoat_pars_fragment:lM,iridescence_pars_fragment:cM,opaque_fragment:hM,packing:uM,premultiplied_alpha_fragment:dM,
-project_vertex:fM,dithering_fragment:pM,dithering_pars_fragment:mM,roughnessmap_fragment:gM,roughnessmap_pars_fragment:_M,shadowmap_pars_fragment:xM,shadowmap_pars_vertex:yM,
-shadowmap_vertex:vM,shadowmask_pars_fragment:MM,skinbase_vertex:bM,skinning_pars_vertex:SM,skinning_vertex:wM,skinnormal_vertex:TM,specularmap_fragment:AM,specularmap_pars_fragment:EM,
-tonemapping_fragment:CM,tonemapping_pars_fragment:RM,transmission_fragment:PM,transmission_pars_fragment:IM,uv_pars_fragment:LM,uv_pars_vertex:NM,uv_vertex:DM,worldpos_vertex:UM,
-background_vert:FM,background_frag:OM,backgroundCube_vert:BM,backgroundCube_frag:kM,cube_vert:zM,cube_frag:VM,depth_vert:GM,depth_frag:HM,distance_vert:WM,distance_frag:XM,
-equirect_vert:qM,equirect_frag:$M,linedashed_vert:YM,linedashed_frag:ZM,meshbasic_vert:JM,meshbasic_frag:KM,meshlambert_vert:jM,meshlambert_frag:QM,meshmatcap_vert:eb,
-meshmatcap_frag:tb,meshnormal_vert:nb,meshnormal_frag:ib,meshphong_vert:sb,meshphong_frag:rb,meshphysical_vert:ob,meshphysical_frag:ab,meshtoon_vert:lb,meshtoon_frag:cb,
-points_vert:hb,points_frag:ub,shadow_vert:db,shadow_frag:fb,sprite_vert:pb,sprite_frag:mb},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
+agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Vy,alphahash_pars_fragment:Gy,alphamap_fragment:Hy,alphamap_pars_fragment:Wy,alphatest_fragment:Xy,
+alphatest_pars_fragment:$y,aomap_fragment:qy,aomap_pars_fragment:Yy,batching_pars_vertex:Zy,batching_vertex:Jy,begin_vertex:Ky,beginnormal_vertex:jy,bsdfs:Qy,iridescence_fragment:ev,
+bumpmap_pars_fragment:tv,clipping_planes_fragment:nv,clipping_planes_pars_fragment:iv,clipping_planes_pars_vertex:sv,clipping_planes_vertex:rv,color_fragment:ov,
+color_pars_fragment:av,color_pars_vertex:lv,color_vertex:cv,common:hv,defaultnormal_vertex:uv,displacementmap_pars_vertex:dv,displacementmap_vertex:fv,emissivemap_fragment:pv,
+emissivemap_pars_fragment:mv,colorspace_fragment:gv,colorspace_pars_fragment:_v,envmap_fragment:xv,envmap_common_pars_fragment:yv,envmap_pars_fragment:vv,envmap_pars_vertex:bv,
+envmap_physical_pars_fragment:Lv,envmap_vertex:Mv,fog_vertex:Sv,fog_pars_vertex:wv,fog_fragment:Tv,fog_pars_fragment:Av,gradientmap_pars_fragment:Ev,lightmap_pars_fragment:Cv,
+lights_lambert_fragment:Rv,lights_lambert_pars_fragment:Pv,lights_pars_begin:Iv,lights_toon_fragment:Nv,lights_toon_pars_fragment:Dv,lights_phong_fragment:Uv,lights_phong_pars_fragment:Fv,
+lights_physical_fragment:Ov,lights_physical_pars_fragment:Bv,lights_fragment_begin:kv,lights_fragment_maps:zv,lights_fragment_end:Vv,lightprobes_pars_fragment:Gv,
+logdepthbuf_fragment:Hv,logdepthbuf_pars_fragment:Wv,logdepthbuf_pars_vertex:Xv,logdepthbuf_vertex:$v,map_fragment:qv,map_pars_fragment:Yv,map_particle_fragment:Zv,
+map_particle_pars_fragment:Jv,metalnessmap_fragment:Kv,metalnessmap_pars_fragment:jv,morphinstance_vertex:Qv,morphcolor_vertex:eb,morphnormal_vertex:tb,morphtarget_pars_vertex:nb,
+morphtarget_vertex:ib,normal_fragment_begin:sb,normal_fragment_maps:rb,normal_pars_fragment:ob,normal_pars_vertex:ab,normal_vertex:lb,normalmap_pars_fragment:cb,
+clearcoat_normal_fragment_begin:hb,clearcoat_normal_fragment_maps:ub,clearcoat_pars_fragment:db,iridescence_pars_fragment:fb,opaque_fragment:pb,packing:mb,premultiplied_alpha_fragment:gb,
+project_vertex:_b,dithering_fragment:xb,dithering_pars_fragment:yb,roughnessmap_fragment:vb,roughnessmap_pars_fragment:bb,shadowmap_pars_fragment:Mb,shadowmap_pars_vertex:Sb,
+shadowmap_vertex:wb,shadowmask_pars_fragment:Tb,skinbase_vertex:Ab,skinning_pars_vertex:Eb,skinning_vertex:Cb,skinnormal_vertex:Rb,specularmap_fragment:Pb,specularmap_pars_fragment:Ib,
+tonemapping_fragment:Lb,tonemapping_pars_fragment:Nb,transmission_fragment:Db,transmission_pars_fragment:Ub,uv_pars_fragment:Fb,uv_pars_vertex:Ob,uv_vertex:Bb,worldpos_vertex:kb,
+background_vert:zb,background_frag:Vb,backgroundCube_vert:Gb,backgroundCube_frag:Hb,cube_vert:Wb,cube_frag:Xb,depth_vert:$b,depth_frag:qb,distance_vert:Yb,distance_frag:Zb,
+equirect_vert:Jb,equirect_frag:Kb,linedashed_vert:jb,linedashed_frag:Qb,meshbasic_vert:eM,meshbasic_frag:tM,meshlambert_vert:nM,meshlambert_frag:iM,meshmatcap_vert:sM,
+meshmatcap_frag:rM,meshnormal_vert:oM,meshnormal_frag:aM,meshphong_vert:lM,meshphong_frag:cM,meshphysical_vert:hM,meshphysical_frag:uM,meshtoon_vert:dM,meshtoon_frag:fM,
+points_vert:pM,points_frag:mM,shadow_vert:gM,shadow_frag:_M,sprite_vert:xM,sprite_frag:yM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2634,115 +2635,115 @@ sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransfo
 value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
 attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},gb=new xt,bg=new Qe;bg.set(
--1,0,0,0,1,0,0,0,1);function _b(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(_){let S=_.isScene===!0?_.background:null;if(S&&S.isTexture){
-let M=_.backgroundBlurriness>0;S=e.get(S,M)}return S}function m(_){let S=!1,M=f(_);M===null?p(o,a):M&&M.isColor&&(p(M,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
-C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||S)&&(t.buffers.depth.setTest(!0),t.buffers.
-depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(_,S){let M=f(S);M&&M.isCubeTexture?(c===
-void 0&&(c=new ci(new Rs(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:ir(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
-backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
-c.onBeforeRender=function(C,T,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
-value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(gb.makeRotationFromEuler(S.backgroundRotation)).transpose(),M.isRenderTargetTexture===
-!1&&c.material.uniforms.backgroundRotation.value.premultiply(bg),c.material.toneMapped=_t.getTransfer(M.colorSpace)!==At,(d!==M||u!==M.version||h!==i.toneMapping)&&
-(c.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new ci(
-new jo(2,2),new ki({name:"BackgroundMaterial",uniforms:ir(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
-side:Ds,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
-uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
-getTransfer(M.colorSpace)!==At,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(d!==M||u!==M.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function p(_,S){_.getRGB(zc,Qu(i)),
-t.buffers.color.setClear(zc.r,zc.g,zc.b,S,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(_,S=1){o.set(_),a=S,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(_){
-a=_,p(o,a)},render:m,addToRenderList:y,dispose:g}}function xb(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(P,F,z,D,G){let Y=!1,
-W=u(P,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(P,D,z,G),Y&&m(P,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,M(P,F,z,D),G!==null&&i.bindBuffer(i.
-ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(P){return i.bindVertexArray(P)}function d(P){return i.deleteVertexArray(
-P)}function u(P,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=P.isInstancedMesh===!0?P.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
-id];K===void 0&&(K={},ce[z.id]=K);let Q=K[G];return Q===void 0&&(Q=h(l()),K[G]=Q),Q}function h(P){let F=[],z=[],D=[];for(let G=0;G<t;G++)F[G]=0,z[G]=0,D[G]=0;return{
-geometry:null,program:null,wireframe:!1,newAttributes:F,enabledAttributes:z,attributeDivisors:D,object:P,attributes:{},index:null}}function f(P,F,z,D){let G=r.attributes,
-Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=G[K],de=Y[K];if(de===void 0&&(K==="instanceMatrix"&&P.instanceMatrix&&(de=P.
-instanceMatrix),K==="instanceColor"&&P.instanceColor&&(de=P.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
-W||r.index!==D}function m(P,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
-eMatrix"&&P.instanceMatrix&&(se=P.instanceMatrix),K==="instanceColor"&&P.instanceColor&&(se=P.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let P=r.newAttributes;for(let F=0,z=P.length;F<z;F++)P[F]=0}function p(P){g(P,0)}function g(P,F){
-let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[P]=1,D[P]===0&&(i.enableVertexAttribArray(P),D[P]=1),G[P]!==F&&(i.vertexAttribDivisor(P,F),G[P]=
-F)}function _(){let P=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==P[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function S(P,F,z,D,G,Y,W){
-W===!0?i.vertexAttribIPointer(P,F,z,G,Y):i.vertexAttribPointer(P,F,z,D,G,Y)}function M(P,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
-for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&P.instanceMatrix&&(Q=P.instanceMatrix),ce==="instanceColor"&&P.
-instanceColor&&(Q=P.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
-Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let be=Q.data,He=be.isInterleavedBuffer===!0?be.stride:be.itemSize,nt=Q.offset;
-if(be.isInstancedInterleavedBuffer||be.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,be.meshPerAttribute);P.isInstancedMesh!==
-!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=be.meshPerAttribute*be.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)p(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
-ee);for(let Ve=0;Ve<K.locationSize;Ve++)S(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let be=0;be<
-K.locationSize;be++)g(K.location+be,Q.meshPerAttribute);P.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let be=0;be<K.locationSize;be++)p(K.location+be);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let be=0;be<K.locationSize;be++)S(K.location+be,de/K.locationSize,me,se,
-de*xe,de/K.locationSize*be*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
-K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}_()}function C(){L();for(let P in n){let F=n[P];for(let z in F){
-let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[P]}}function T(P){if(n[P.id]===void 0)return;let F=n[P.id];
-for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[P.id]}function x(P){for(let F in n){let z=n[F];
-for(let D in z){let G=z[D];if(G[P.id]===void 0)continue;let Y=G[P.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[P.id]}}}function b(P){for(let F in n){let z=n[F],
-D=P.isInstancedMesh===!0?P.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
-z).length===0&&delete n[F]}}}function L(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:L,resetDefaultState:R,
-dispose:C,releaseStatesOfGeometry:T,releaseStatesOfObject:b,releaseStatesOfProgram:x,initAttributes:y,enableAttribute:p,disableUnusedAttributes:_}}function yb(i,e,t){
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},vM=new xt,Ag=new Qe;Ag.set(
+-1,0,0,0,1,0,0,0,1);function bM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
+let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?m(o,a):b&&b.isColor&&(m(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
+C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
+depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,w){let b=f(w);b&&b.isCubeTexture?(c===
+void 0&&(c=new hi(new Ps(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:sr(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
+backgroundCube.fragmentShader,side:Bn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
+c.onBeforeRender=function(C,S,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
+value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
+value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(vM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
+!1&&c.material.uniforms.backgroundRotation.value.premultiply(Ag),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
+(c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new hi(
+new ea(2,2),new ki({name:"BackgroundMaterial",uniforms:sr(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
+side:Us,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
+uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
+getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
+(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,w){x.getRGB(zc,ed(i)),
+t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
+a=x,m(o,a)},render:p,addToRenderList:y,dispose:g}}function MM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
+ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
+I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
+id];K===void 0&&(K={},ce[z.id]=K);let Q=K[G];return Q===void 0&&(Q=h(l()),K[G]=Q),Q}function h(I){let F=[],z=[],D=[];for(let G=0;G<t;G++)F[G]=0,z[G]=0,D[G]=0;return{
+geometry:null,program:null,wireframe:!1,newAttributes:F,enabledAttributes:z,attributeDivisors:D,object:I,attributes:{},index:null}}function f(I,F,z,D){let G=r.attributes,
+Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=G[K],de=Y[K];if(de===void 0&&(K==="instanceMatrix"&&I.instanceMatrix&&(de=I.
+instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
+W||r.index!==D}function p(I,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
+eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function m(I){g(I,0)}function g(I,F){
+let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),G[I]!==F&&(i.vertexAttribDivisor(I,F),G[I]=
+F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function w(I,F,z,D,G,Y,W){
+W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
+for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
+instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
+Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
+if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
+!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
+ee);for(let Ve=0;Ve<K.locationSize;Ve++)w(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
+K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let Me=0;Me<K.locationSize;Me++)m(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
+de*xe,de/K.locationSize*Me*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
+K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){P();for(let I in n){let F=n[I];for(let z in F){
+let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function S(I){if(n[I.id]===void 0)return;let F=n[I.id];
+for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I.id]}function _(I){for(let F in n){let z=n[F];
+for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
+D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
+z).length===0&&delete n[F]}}}function P(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:P,resetDefaultState:R,
+dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:m,disableUnusedAttributes:x}}function SM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
-renderInstances=o,this.renderMultiDraw=a}function vb(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.
-get("EXT_texture_filter_anisotropic");s=i.getParameter(x.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(x){return!(x!==wi&&n.convert(x)!==i.getParameter(
-i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(x){let b=x===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(x!==Hn&&x!==hi&&
-!b&&n.convert(x)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(x){if(x==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
-0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";x="mediump"}return x==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,
+renderInstances=o,this.renderMultiDraw=a}function wM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
+get("EXT_texture_filter_anisotropic");s=i.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==wi&&n.convert(_)!==i.getParameter(
+i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let M=_===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==Hn&&_!==ui&&
+!M&&n.convert(_)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
+0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";_="mediump"}return _==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,
 i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"h\
-ighp",d=l(c);d!==c&&($e("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
-!0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&$e("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
-ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&$e("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
-getParameter(i.MAX_TEXTURE_IMAGE_UNITS),m=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),p=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-g=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
-C=i.getParameter(i.MAX_SAMPLES),T=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:m,maxTextureSize:y,maxCubemapSize:p,maxAttributes:g,maxVertexUniforms:_,
-maxVaryings:S,maxFragmentUniforms:M,maxSamples:C,samples:T}}function Mb(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+ighp",d=l(c);d!==c&&(qe("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
+!0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
+ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
+getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
+g=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+C=i.getParameter(i.MAX_SAMPLES),S=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
+precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:x,
+maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function TM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
-r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let m=u.clippingPlanes,y=u.clipIntersection,
-p=u.clipShadows,g=i.get(u);if(!s||m===null||m.length===0||r&&!p)r?d(null):c();else{let _=r?0:n,S=_*4,M=g.clippingState||null;l.value=M,M=d(m,h,S,f);for(let C=0;C!==
-S;++C)M[C]=t[C];g.clippingState=M,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=_}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function d(u,h,f,m){let y=u!==null?u.length:0,p=null;if(y!==0){if(p=l.value,m!==!0||p===null){let g=f+y*4,_=h.matrixWorldInverse;a.getNormalMatrix(
-_),(p===null||p.length<g)&&(p=new Float32Array(g));for(let S=0,M=f;S!==y;++S,M+=4)o.copy(u[S]).applyMatrix4(_,a),o.normal.toArray(p,M),p[M+3]=o.constant}l.value=
-p,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,p}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
-width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new $o(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
+r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,y=u.clipIntersection,
+m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let x=r?0:n,w=x*4,b=g.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
+w;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,m=null;if(y!==0){if(m=l.value,p!==!0||m===null){let g=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
+x),(m===null||m.length<g)&&(m=new Float32Array(g));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=
+m,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,m}}var Sa=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Zo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
  ) {\n\n     return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );\n\n    }\n\n    void main() {\n\n     vWorldDirection = transformDirection( position, modelMatrix );\
 \n\n     #include <begin_vertex>\n     #include <project_vertex>\n\n    }\n   ",fragmentShader:"\n\n    uniform sampler2D tEquirect;\n\n    varying vec3 vWorldDirec\
 tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = normalize( vWorldDirection );\n\n     vec2 sampleUV = equirectUv( direction );\n\n     gl_Fra\
-gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Rs(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:ir(n.uniforms),vertexShader:n.vertexShader,
-fragmentShader:n.fragmentShader,side:kn,blending:Qs});r.uniforms.tEquirect.value=t;let o=new ci(s,r),a=t.minFilter;return t.minFilter===hs&&(t.minFilter=On),new no(
+gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Ps(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:sr(n.uniforms),vertexShader:n.vertexShader,
+fragmentShader:n.fragmentShader,side:Bn,blending:er});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===hs&&(t.minFilter=Fn),new io(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},eg=256,bb=3,Sb=20,Sg=256,wg=16,wb=3,Tb=new V,Ab=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
-this._sourceTarget=null,this._cubeCamera=new no(1,10,null),this._boxMesh=new ci(new Rs(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
-_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=Tb}=r,l=this._renderer;this.
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},sg=256,AM=3,EM=20,Eg=256,Cg=16,CM=3,RM=new V,PM=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this._sourceTarget=null,this._cubeCamera=new io(1,10,null),this._boxMesh=new hi(new Ps(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
+_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=RM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-m=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(Ab));let p=new no(
-n,s,d);return p.position.copy(a),p.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=m,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
+p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(PM));let m=new io(
+n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
-this._cubemapMaterial===null&&(this._cubemapMaterial=ig(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
-null&&(this._equirectMaterial=ng(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
+this._cubemapMaterial===null&&(this._cubemapMaterial=ag(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
+null&&(this._equirectMaterial=og(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
 null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this.
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
-return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(eg,Zm(e))}_fromTexture(e,t){e.mapping===tr||e.mapping===ro?this._setSize(e.image.length===0?
-eg:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
-n}_allocateTarget(){let e=this._cubeSize,t=tg(e,!1,!1),n=Math.log2(e)-bb;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
+return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(sg,Qm(e))}_fromTexture(e,t){e.mapping===nr||e.mapping===oo?this._setSize(e.image.length===0?
+sg:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
+n}_allocateTarget(){let e=this._cubeSize,t=rg(e,!1,!1),n=Math.log2(e)-AM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
-(n!==null&&n.dispose(),this._sourceTarget=tg(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
+(n!==null&&n.dispose(),this._sourceTarget=rg(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
-set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===tr||e.mapping===ro?(this._cubemapMaterial===
-null&&(this._cubemapMaterial=ig()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
-_equirectMaterial=ng()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
-(this._ggxMaterial=Eb(),this._integrationMaterial=Cb());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
-texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/wg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
-o,n);if(o>n-wb)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Sg*Math.pow(a,4)))+.5:0;s.roughness.
-value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Rb());let n=this._blurMaterial,s=n.
+set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===nr||e.mapping===oo?(this._cubemapMaterial===
+null&&(this._cubemapMaterial=ag()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
+_equirectMaterial=og()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
+(this._ggxMaterial=IM(),this._integrationMaterial=LM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
+texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Cg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
+o,n);if(o>n-CM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Eg*Math.pow(a,4)))+.5:0;s.roughness.
+value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=NM());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
-r,0,n)}};function tg(i,e,t){return new Ma(i,{minFilter:hs,generateMipmaps:e,type:Si,colorSpace:Bo,depthBuffer:t})}function ba(i,e,t){return new ki({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:Qs,depthTest:!1,depthWrite:!1})}function Eb(){return ba("PMREMGGXConvolution",{envMap:{value:null},roughness:{
-value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Sg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
+r,0,n)}};function rg(i,e,t){return new Sa(i,{minFilter:hs,generateMipmaps:e,type:Si,colorSpace:zo,depthBuffer:t})}function wa(i,e,t){return new ki({name:i,uniforms:e,
+vertexShader:ht.cube_vert,fragmentShader:t,side:Bn,blending:er,depthTest:!1,depthWrite:!1})}function IM(){return wa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Eg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
  >> 2u );\n   bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );\n   bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >\
@@ -2757,7 +2758,7 @@ at phi = 2.0 * PI * Xi.y;\n     float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.
  * sin( phi ) ) * sinTheta;\n\n     // Match the source mip to the sample's solid angle. The terms\n     // independent of the sample are precomputed in lodBias.\n \
     float d = alpha2 * invQ;\n     float lod = max( log2( d ) + lodBias, 0.0 );\n\n     // Weight by NdotL for the split-sum approximation\n     prefilteredColor +=\
  textureLod( envMap, L, lod ).rgb * NdotL;\n     totalWeight += NdotL;\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );\n\n  }\n "))}
-function Cb(){return ba("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:wg}},"\n\n  varying vec3 vWorldDirect\
+function LM(){return wa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Cg}},"\n\n  varying vec3 vWorldDirect\
 ion;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\n  uniform float sourceLod;\n  uniform int sourceSize;\n\n  void main() {\n\n   vec3 N = normalize( vWo\
 rldDirection );\n\n   float alpha = roughness * roughness;\n   float alpha2 = alpha * alpha;\n\n   float texelSize = 2.0 / float( sourceSize );\n\n   vec3 prefilteredC\
 olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: only the one in N's hemisphere contributes.\n   for ( int face = 0; face < 3; face +\
@@ -2767,7 +2768,7 @@ olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: 
       // With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors\n      // in the GGX distribution and texel solid angle cancel when normalized.\n      flo\
 at d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;\n      float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );\n\n      prefilteredColor += tex\
 tureLod( envMap, texelDirection, sourceLod ).rgb * weight;\n      totalWeight += weight;\n\n     }\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWe\
-ight, 1.0 );\n\n  }\n ")}function Rb(){return ba("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(Sb,"\n  #defi\
+ight, 1.0 );\n\n  }\n ")}function NM(){return wa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(EM,"\n  #defi\
 ne GOLDEN_ANGLE 2.39996322973\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float sigma;\n\n  #include <common>\n\n  void main() {\n\n   v\
 ec3 outputDirection = normalize( vWorldDirection );\n\n   vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );\n   vec3 tang\
 ent = normalize( cross( up, outputDirection ) );\n   vec3 bitangent = cross( outputDirection, tangent );\n\n   // Truncate the kernel at three standard deviations \
@@ -2776,57 +2777,57 @@ umColor = vec3( 0.0 );\n   float accumWeight = 0.0;\n\n   for ( int i = 0; i < S
  a golden-angle spiral.\n    float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );\n    float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) )\
 ;\n    float phi = float( i ) * GOLDEN_ANGLE;\n\n    vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;\n    vec3 sampleDirection = cos( theta ) * outputD\
 irection + sin( theta ) * offset;\n\n    // Correct the planar sample density to solid angle.\n    float weight = sin( theta ) / theta;\n\n    accumColor += weight *\
- textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function ng(){
-return ba("PMREMEquirectangularToCubemap",{envMap:{value:null}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform sampler2D envMap;\n\n  #include <common>\n\n  void mai\
+ textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function og(){
+return wa("PMREMEquirectangularToCubemap",{envMap:{value:null}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform sampler2D envMap;\n\n  #include <common>\n\n  void mai\
 n() {\n\n   // Average four subpixel samples to preserve small, bright features.\n   vec3 direction = normalize( vWorldDirection );\n   vec3 dx = dFdx( direction ) \
 * 0.25;\n   vec3 dy = dFdy( direction ) * 0.25;\n\n   vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;\n   color += textu\
 reLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).\
-rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function ig(){
-return ba("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
+rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function ag(){
+return wa("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
-function Pb(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
-Ql||f===ec)if(e.has(h)){let m=e.get(h).texture;return a(m,h.mapping)}else{let m=h.image;if(m&&m.height>0){let y=new Ma(m.height);return y.fromEquirectangularTexture(
+function DM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
+Ql||f===ec)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new Sa(p.height);return y.fromEquirectangularTexture(
 i,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,m=f===Ql||f===ec,y=f===tr||f===ro;if(m||y){let p=t.get(h),g=p!==void 0?p.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
-null&&(n=new Gc(i)),p=m?n.fromEquirectangular(h,p):n.fromCubemap(h,p),p.texture.pmremVersion=h.pmremVersion,t.set(h,p),p.texture;if(p!==void 0)return p.texture;
-{let _=h.image;return m&&_&&_.height>0||y&&_&&l(_)?(n===null&&(n=new Gc(i)),p=m?n.fromEquirectangular(h):n.fromCubemap(h),p.texture.pmremVersion=h.pmremVersion,
-t.set(h,p),h.addEventListener("dispose",d),p.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=tr:f===ec&&(h.mapping=ro),h}function l(h){let f=0,
-m=6;for(let y=0;y<m;y++)h[y]!==void 0&&f++;return f===m}function c(h){let f=h.target;f.removeEventListener("dispose",c);let m=e.get(f);m!==void 0&&(e.delete(f),
-m.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let m=t.get(f);m!==void 0&&(t.delete(f),m.dispose())}function u(){e=new WeakMap,t=new WeakMap,
-n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function Ib(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
+mapping,p=f===Ql||f===ec,y=f===nr||f===oo;if(p||y){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
+null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
+{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
+t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=nr:f===ec&&(h.mapping=oo),h}function l(h){let f=0,
+p=6;for(let y=0;y<p;y++)h[y]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
+p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
+n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function UM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
-r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Fo("WebGLRenderer\
-: "+n+" extension not supported."),s}}}function Lb(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(m=>delete s[m]);function a(m){l(m.target)}function l(m){
-m.index!==null&&e.remove(m.index);for(let p in m.attributes)e.remove(m.attributes[p]);m.removeEventListener("dispose",a),delete s[m.id],o.unregister(m);let y=r.
-get(m);y&&(e.remove(y),r.delete(m)),n.releaseStatesOfGeometry(m),m.isInstancedBufferGeometry===!0&&delete m._maxInstanceCount,t.memory.geometries--}function c(m,y){
-return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(m){let y=m.attributes;
-for(let p in y)e.update(y[p],i.ARRAY_BUFFER)}function u(m){let y=m.index,p=m.attributes.position,g=0;if(p===void 0)return;let _=y!==null?y.array.length:p.array.
-length/3-1,S=p.count>=65535?Wo:Ho,M=new S(Math.ceil(_/3)*6,1),C=M.array;if(y!==null){let x=y.array;g=y.version;for(let b=0,L=0;b<_;b+=3){let R=x[b+0],P=x[b+1],F=x[b+
-2];C[L++]=R,C[L++]=P,C[L++]=P,C[L++]=F,C[L++]=F,C[L++]=R}}else{g=p.version;for(let x=0,b=0;x<_;x+=3){let L=x+0,R=x+1,P=x+2;C[b++]=L,C[b++]=R,C[b++]=R,C[b++]=P,C[b++]=
-P,C[b++]=L}}M.version=g;let T=r.get(m);T&&e.remove(T),r.set(m,M)}function h(m){let y=r.get(m);if(y){let p=m.index;p!==null&&y.version<p.version&&u(m)}else u(m);
-return r.get(m)}function f(){for(let m in s){let y=s[m].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function Nb(i,e,t){let n;
+r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Bo("WebGLRenderer\
+: "+n+" extension not supported."),s}}}function FM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
+p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
+get(p);y&&(e.remove(y),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){
+return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(p){let y=p.attributes;
+for(let m in y)e.update(y[m],i.ARRAY_BUFFER)}function u(p){let y=p.index,m=p.attributes.position,g=0;if(m===void 0)return;let x=y!==null?y.array.length:m.array.
+length/3-1,w=m.count>=65535?$o:Xo,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;g=y.version;for(let M=0,P=0;M<x;M+=3){let R=_[M+0],I=_[M+1],F=_[M+
+2];C[P++]=R,C[P++]=I,C[P++]=I,C[P++]=F,C[P++]=F,C[P++]=R}}else{g=m.version;for(let _=0,M=0;_<x;_+=3){let P=_+0,R=_+1,I=_+2;C[M++]=P,C[M++]=R,C[M++]=R,C[M++]=I,C[M++]=
+I,C[M++]=P}}b.version=g;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let m=p.index;m!==null&&y.version<m.version&&u(p)}else u(p);
+return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function OM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
-n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let p=0;p<f;p++)y+=h[p];
-t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function Db(i){let e={geometries:0,textures:0},t={frame:0,
+n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let m=0;m<f;m++)y+=h[m];
+t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function BM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
-t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function Ub(i,e,t){let n=new WeakMap,s=new Wt;
+t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function kM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
-a);if(h===void 0||h.count!==u){let L=function(){x.dispose(),n.delete(a),a.removeEventListener("dispose",L)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
-position!==void 0,m=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,p=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],_=a.morphAttributes.
-color||[],S=0;f===!0&&(S=1),m===!0&&(S=2),y===!0&&(S=3);let M=a.attributes.position.count*S,C=1;M>e.maxTextureSize&&(C=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);
-let T=new Float32Array(M*C*4*u),x=new Vo(T,M,C,u);x.type=hi,x.needsUpdate=!0;let b=S*4;for(let R=0;R<u;R++){let P=p[R],F=g[R],z=_[R],D=M*C*4*R;for(let G=0;G<P.count;G++){
-let Y=G*b;f===!0&&(s.fromBufferAttribute(P,G),T[D+Y+0]=s.x,T[D+Y+1]=s.y,T[D+Y+2]=s.z,T[D+Y+3]=0),m===!0&&(s.fromBufferAttribute(F,G),T[D+Y+4]=s.x,T[D+Y+5]=s.y,T[D+
-Y+6]=s.z,T[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),T[D+Y+8]=s.x,T[D+Y+9]=s.y,T[D+Y+10]=s.z,T[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:x,size:new st(
-M,C)},n.set(a,h),a.addEventListener("dispose",L)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
-let f=0;for(let y=0;y<c.length;y++)f+=c[y];let m=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",m),l.getUniforms().setValue(
+a);if(h===void 0||h.count!==u){let P=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",P)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
+position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],x=a.morphAttributes.
+color||[],w=0;f===!0&&(w=1),p===!0&&(w=2),y===!0&&(w=3);let b=a.attributes.position.count*w,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
+let S=new Float32Array(b*C*4*u),_=new Ho(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let R=0;R<u;R++){let I=m[R],F=g[R],z=x[R],D=b*C*4*R;for(let G=0;G<I.count;G++){
+let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),S[D+Y+0]=s.x,S[D+Y+1]=s.y,S[D+Y+2]=s.z,S[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),S[D+Y+4]=s.x,S[D+Y+5]=s.y,S[D+
+Y+6]=s.z,S[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),S[D+Y+8]=s.x,S[D+Y+9]=s.y,S[D+Y+10]=s.z,S[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
+b,C)},n.set(a,h),a.addEventListener("dispose",P)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
+let f=0;for(let y=0;y<c.length;y++)f+=c[y];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
-function Fb(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
+function zM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
 (c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
 c.instanceColor,i.ARRAY_BUFFER),r.set(c,d))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==d&&(f.update(),r.set(f,d))}return h}function a(){r=new WeakMap}function l(c){
 let d=c.target;d.removeEventListener("dispose",l),n.releaseStatesOfObject(d),t.remove(d.instanceMatrix),d.instanceColor!==null&&t.remove(d.instanceColor)}return{
-update:o,dispose:a}}var Ob={[Nu]:"LINEAR_TONE_MAPPING",[Du]:"REINHARD_TONE_MAPPING",[Uu]:"CINEON_TONE_MAPPING",[Fu]:"ACES_FILMIC_TONE_MAPPING",[Bu]:"AGX_TONE_MA\
-PPING",[ku]:"NEUTRAL_TONE_MAPPING",[Ou]:"CUSTOM_TONE_MAPPING"};function Bb(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
+update:o,dispose:a}}var VM={[Du]:"LINEAR_TONE_MAPPING",[Uu]:"REINHARD_TONE_MAPPING",[Fu]:"CINEON_TONE_MAPPING",[Ou]:"ACES_FILMIC_TONE_MAPPING",[ku]:"AGX_TONE_MA\
+PPING",[zu]:"NEUTRAL_TONE_MAPPING",[Bu]:"CUSTOM_TONE_MAPPING"};function GM(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
 storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,d=new ln;d.setAttribute("position",new yt([-1,3,0,-1,-1,0,
 3,-1,0],3)),d.setAttribute("uv",new yt([0,2,0,0,2,0],2));let u=new Ol({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
 4 modelViewMatrix;\n   uniform mat4 projectionMatrix;\n\n   attribute vec3 position;\n   attribute vec2 uv;\n\n   varying vec2 vUv;\n\n   void main() {\n    vUv = uv;\n  \
@@ -2837,104 +2838,104 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ci(d,u),f=new oa(-1,1,1,-1,0,1),m=null,y=null,p=!1,g,_=null,S=[],M=!1;this.setSize=
-function(C,T){o.setSize(C,T),a!==null&&a.setSize(C,T),l!==null&&l.setSize(C,T);for(let x=0;x<S.length;x++){let b=S[x];b.setSize&&b.setSize(C,T)}},this.setEffects=
-function(C){S=C,M=S.length>0&&S[0].isRenderPass===!0;let T=o.width,x=o.height;S.length>0&&a===null&&(a=new ti(T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
-T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let b=s===!0&&S.some(L=>L.needsDepthTexture===!0);b!==(o.depthTexture!==null)&&(b===!0&&c===null&&(c=new cs(T,x),
-r===!0&&(c.format=us,c.type=nr)),o.dispose(),o.depthTexture=b?c:null,o.resolveDepthBuffer=b,o.storeMultisampledDepthBuffer=b);for(let L=0;L<S.length;L++){let R=S[L];
-R.setSize&&R.setSize(T,x),b&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,T){if(p||C.toneMapping===Vi&&S.length===0)
-return!1;if(_=T,T!==null){let x=T.width,b=T.height;(o.width!==x||o.height!==b)&&this.setSize(x,b)}return M===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
-Vi,!0},this.hasRenderPass=function(){return M},this.end=function(C,T){C.toneMapping=g,p=!0;let x=o,b=a;for(let L=0;L<S.length;L++){let R=S[L];R.enabled!==!1&&(R.
-render(C,b,x,T),R.needsSwap!==!1&&(x=b,b=b===a?l:a))}if(m!==C.outputColorSpace||y!==C.toneMapping){m=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
-m)===At&&(u.defines.SRGB_TRANSFER="");let L=Ob[y];L&&(u.defines[L]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
-null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Tg=new Gn,
-Ag=new cs(1,1),Eg=new Yo(1),Cg=new Vo,Rg=new Il,Pg=new $o,sg=[],rg=[],og=new Float32Array(16),ag=new Float32Array(9),lg=new Float32Array(4);function lo(i,e,t){let n=i[0];
-if(n<=0||n>0)return i;let s=e*t,r=sg[s];if(r===void 0&&(r=new Float32Array(s),sg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new la(-1,1,1,-1,0,1),p=null,y=null,m=!1,g,x=null,w=[],b=!1;this.setSize=
+function(C,S){o.setSize(C,S),a!==null&&a.setSize(C,S),l!==null&&l.setSize(C,S);for(let _=0;_<w.length;_++){let M=w[_];M.setSize&&M.setSize(C,S)}},this.setEffects=
+function(C){w=C,b=w.length>0&&w[0].isRenderPass===!0;let S=o.width,_=o.height;w.length>0&&a===null&&(a=new ti(S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
+S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&w.some(P=>P.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new cs(S,_),
+r===!0&&(c.format=us,c.type=ir)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let P=0;P<w.length;P++){let R=w[P];
+R.setSize&&R.setSize(S,_),M&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,S){if(m||C.toneMapping===Vi&&w.length===0)
+return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
+Vi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=g,m=!0;let _=o,M=a;for(let P=0;P<w.length;P++){let R=w[P];R.enabled!==!1&&(R.
+render(C,M,_,S),R.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
+p)===At&&(u.defines.SRGB_TRANSFER="");let P=VM[y];P&&(u.defines[P]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
+null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Rg=new Gn,
+Pg=new cs(1,1),Ig=new Jo(1),Lg=new Ho,Ng=new Il,Dg=new Zo,lg=[],cg=[],hg=new Float32Array(16),ug=new Float32Array(9),dg=new Float32Array(4);function co(i,e,t){let n=i[0];
+if(n<=0||n>0)return i;let s=e*t,r=lg[s];if(r===void 0&&(r=new Float32Array(s),lg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
-i[t]=e[t]}function Wc(i,e){let t=rg[e];t===void 0&&(t=new Int32Array(e),rg[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function kb(i,e){let t=this.
-cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function zb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
-e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function Vb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
+i[t]=e[t]}function Wc(i,e){let t=cg[e];t===void 0&&(t=new Int32Array(e),cg[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function HM(i,e){let t=this.
+cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function WM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
+e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function XM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
 (i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=
-e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function Gb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function Hb(i,e){
-let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;lg.set(n),i.uniformMatrix2fv(this.
-addr,!1,lg),mn(t,n)}}function Wb(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
-return;ag.set(n),i.uniformMatrix3fv(this.addr,!1,ag),mn(t,n)}}function Xb(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
-this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;og.set(n),i.uniformMatrix4fv(this.addr,!1,og),mn(t,n)}}function qb(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
-addr,e),t[0]=e)}function $b(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
-i.uniform2iv(this.addr,e),mn(t,e)}}function Yb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
-e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function Zb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function Jb(i,e){
-let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function Kb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
-e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function jb(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
-t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function Qb(i,e){let t=this.
+e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function $M(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function qM(i,e){
+let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;dg.set(n),i.uniformMatrix2fv(this.
+addr,!1,dg),mn(t,n)}}function YM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
+return;ug.set(n),i.uniformMatrix3fv(this.addr,!1,ug),mn(t,n)}}function ZM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
+this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;hg.set(n),i.uniformMatrix4fv(this.addr,!1,hg),mn(t,n)}}function JM(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
+addr,e),t[0]=e)}function KM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
+i.uniform2iv(this.addr,e),mn(t,e)}}function jM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
+e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function QM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function eS(i,e){
+let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function tS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
+e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
+t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function iS(i,e){let t=this.
 cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(
-t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function Xc(i){return i.version===0&&(i.compareFunction=Zu,i.needsUpdate=!0),i}function eS(i,e,t){let n=this.cache,
-s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Xc(Ag):r=Tg,t.setTexture2D(e||r,s)}function tS(i,e,t){
-let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Rg,s)}function nS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
-n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Xc(Eg):r=Pg,t.setTextureCube(e||r,s)}function iS(i,e,t){let n=this.cache,s=t.
-allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Cg,s)}function sS(i){switch(i){case 5126:return kb;case 35664:return zb;case 35665:
-return Vb;case 35666:return Gb;case 35674:return Hb;case 35675:return Wb;case 35676:return Xb;case 5124:case 35670:return qb;case 35667:case 35671:return $b;case 35668:case 35672:
-return Yb;case 35669:case 35673:return Zb;case 5125:return Jb;case 36294:return Kb;case 36295:return jb;case 36296:return Qb;case 35678:case 36198:case 36298:case 36306:case 35682:
-return eS;case 35679:case 36299:case 36307:return tS;case 35680:case 36300:case 36308:case 36293:return nS;case 36289:case 36303:case 36311:case 36292:return iS}}
-function rS(i,e){i.uniform1fv(this.addr,e)}function oS(i,e){let t=lo(e,this.size,2);i.uniform2fv(this.addr,t)}function aS(i,e){let t=lo(e,this.size,3);i.uniform3fv(
-this.addr,t)}function lS(i,e){let t=lo(e,this.size,4);i.uniform4fv(this.addr,t)}function cS(i,e){let t=lo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function hS(i,e){
-let t=lo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function uS(i,e){let t=lo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function dS(i,e){i.uniform1iv(
-this.addr,e)}function fS(i,e){i.uniform2iv(this.addr,e)}function pS(i,e){i.uniform3iv(this.addr,e)}function mS(i,e){i.uniform4iv(this.addr,e)}function gS(i,e){i.
-uniform1uiv(this.addr,e)}function _S(i,e){i.uniform2uiv(this.addr,e)}function xS(i,e){i.uniform3uiv(this.addr,e)}function yS(i,e){i.uniform4uiv(this.addr,e)}function vS(i,e,t){
-let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=Xc(Ag):o=Tg;for(let a=0;a!==s;++a)t.setTexture2D(
-e[a]||o,r[a])}function MS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Rg,
-r[o])}function bS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Xc(Eg):o=Pg;
-for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function SS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
-s;++o)t.setTexture2DArray(e[o]||Cg,r[o])}function wS(i){switch(i){case 5126:return rS;case 35664:return oS;case 35665:return aS;case 35666:return lS;case 35674:
-return cS;case 35675:return hS;case 35676:return uS;case 5124:case 35670:return dS;case 35667:case 35671:return fS;case 35668:case 35672:return pS;case 35669:case 35673:
-return mS;case 5125:return gS;case 36294:return _S;case 36295:return xS;case 36296:return yS;case 35678:case 36198:case 36298:case 36306:case 35682:return vS;case 35679:case 36299:case 36307:
-return MS;case 35680:case 36300:case 36308:case 36293:return bS;case 36289:case 36303:case 36311:case 36292:return SS}}var rd=class{constructor(e,t,n){this.id=e,
-this.addr=n,this.cache=[],this.type=t.type,this.setValue=sS(t.type)}},od=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
-t.size,this.setValue=wS(t.type)}},ad=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
-a.setValue(e,t[a.id],n)}}},id=/(\w+)(\])?(\[|\.)?/g;function cg(i,e){i.seq.push(e),i.map[e.id]=e}function TS(i,e,t){let n=i.name,s=n.length;for(id.lastIndex=0;;){
-let r=id.exec(n),o=id.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){cg(t,c===void 0?new rd(a,i,e):new od(a,i,e));break}else{let u=t.
-map[a];u===void 0&&(u=new ad(a),cg(t,u)),t=u}}}var ao=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
-n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);TS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
+t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function Xc(i){return i.version===0&&(i.compareFunction=Ju,i.needsUpdate=!0),i}function sS(i,e,t){let n=this.cache,
+s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Xc(Pg):r=Rg,t.setTexture2D(e||r,s)}function rS(i,e,t){
+let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Ng,s)}function oS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
+n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Xc(Ig):r=Dg,t.setTextureCube(e||r,s)}function aS(i,e,t){let n=this.cache,s=t.
+allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Lg,s)}function lS(i){switch(i){case 5126:return HM;case 35664:return WM;case 35665:
+return XM;case 35666:return $M;case 35674:return qM;case 35675:return YM;case 35676:return ZM;case 5124:case 35670:return JM;case 35667:case 35671:return KM;case 35668:case 35672:
+return jM;case 35669:case 35673:return QM;case 5125:return eS;case 36294:return tS;case 36295:return nS;case 36296:return iS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return sS;case 35679:case 36299:case 36307:return rS;case 35680:case 36300:case 36308:case 36293:return oS;case 36289:case 36303:case 36311:case 36292:return aS}}
+function cS(i,e){i.uniform1fv(this.addr,e)}function hS(i,e){let t=co(e,this.size,2);i.uniform2fv(this.addr,t)}function uS(i,e){let t=co(e,this.size,3);i.uniform3fv(
+this.addr,t)}function dS(i,e){let t=co(e,this.size,4);i.uniform4fv(this.addr,t)}function fS(i,e){let t=co(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function pS(i,e){
+let t=co(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function mS(i,e){let t=co(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function gS(i,e){i.uniform1iv(
+this.addr,e)}function _S(i,e){i.uniform2iv(this.addr,e)}function xS(i,e){i.uniform3iv(this.addr,e)}function yS(i,e){i.uniform4iv(this.addr,e)}function vS(i,e){i.
+uniform1uiv(this.addr,e)}function bS(i,e){i.uniform2uiv(this.addr,e)}function MS(i,e){i.uniform3uiv(this.addr,e)}function SS(i,e){i.uniform4uiv(this.addr,e)}function wS(i,e,t){
+let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=Xc(Pg):o=Rg;for(let a=0;a!==s;++a)t.setTexture2D(
+e[a]||o,r[a])}function TS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Ng,
+r[o])}function AS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Xc(Ig):o=Dg;
+for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function ES(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
+s;++o)t.setTexture2DArray(e[o]||Lg,r[o])}function CS(i){switch(i){case 5126:return cS;case 35664:return hS;case 35665:return uS;case 35666:return dS;case 35674:
+return fS;case 35675:return pS;case 35676:return mS;case 5124:case 35670:return gS;case 35667:case 35671:return _S;case 35668:case 35672:return xS;case 35669:case 35673:
+return yS;case 5125:return vS;case 36294:return bS;case 36295:return MS;case 36296:return SS;case 35678:case 36198:case 36298:case 36306:case 35682:return wS;case 35679:case 36299:case 36307:
+return TS;case 35680:case 36300:case 36308:case 36293:return AS;case 36289:case 36303:case 36311:case 36292:return ES}}var od=class{constructor(e,t,n){this.id=e,
+this.addr=n,this.cache=[],this.type=t.type,this.setValue=lS(t.type)}},ad=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
+t.size,this.setValue=CS(t.type)}},ld=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
+a.setValue(e,t[a.id],n)}}},sd=/(\w+)(\])?(\[|\.)?/g;function fg(i,e){i.seq.push(e),i.map[e.id]=e}function RS(i,e,t){let n=i.name,s=n.length;for(sd.lastIndex=0;;){
+let r=sd.exec(n),o=sd.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){fg(t,c===void 0?new od(a,i,e):new ad(a,i,e));break}else{let u=t.
+map[a];u===void 0&&(u=new ld(a),fg(t,u)),t=u}}}var lo=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
+n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);RS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
 setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
-!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function hg(i,e,t){let n=i.
-createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var AS=37297,ES=0;function CS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
-for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var ug=new Qe;function RS(i){_t._getMatrix(ug,
-_t.workingColorSpace,i);let e="mat3( ".concat(ug.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case ko:return[e,"LinearTransferOETF"];case At:return[
-e,"sRGBTransferOETF"];default:return $e("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function dg(i,e,t){let n=i.getShaderParameter(e,i.
+!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function pg(i,e,t){let n=i.
+createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var PS=37297,IS=0;function LS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
+for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var mg=new Qe;function NS(i){_t._getMatrix(mg,
+_t.workingColorSpace,i);let e="mat3( ".concat(mg.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case Vo:return[e,"LinearTransferOETF"];case At:return[
+e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function gg(i,e,t){let n=i.getShaderParameter(e,i.
 COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+"\n\n"+
-r+"\n\n"+CS(i.getShaderSource(e),a)}else return r}function PS(i,e){let t=RS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
-t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var IS={[Nu]:"Linear",[Du]:"Reinhard",[Uu]:"Cineon",[Fu]:"ACESFilmic",[Bu]:"AgX",[ku]:"Neutral",[Ou]:"Custom"};
-function LS(i,e){let t=IS[e];return t===void 0?($e("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
-"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Vc=new V;function NS(){_t.getLuminanceCoefficients(Vc);let i=Vc.x.toFixed(4),e=Vc.y.toFixed(
+r+"\n\n"+LS(i.getShaderSource(e),a)}else return r}function DS(i,e){let t=NS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
+t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var US={[Du]:"Linear",[Uu]:"Reinhard",[Fu]:"Cineon",[Ou]:"ACESFilmic",[ku]:"AgX",[zu]:"Neutral",[Bu]:"Custom"};
+function FS(i,e){let t=US[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
+"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Vc=new V;function OS(){_t.getLuminanceCoefficients(Vc);let i=Vc.x.toFixed(4),e=Vc.y.toFixed(
 4),t=Vc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
-weights, rgb );","}"].join("\n")}function DS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
-extension GL_ANGLE_multi_draw : require":""].filter(va).join("\n")}function US(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
-join("\n")}function FS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
-(a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function va(i){return i!==
-""}function fg(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
+weights, rgb );","}"].join("\n")}function BS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
+extension GL_ANGLE_multi_draw : require":""].filter(Ma).join("\n")}function kS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
+join("\n")}function zS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
+(a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function Ma(i){return i!==
+""}function _g(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
 e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,
 e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
-e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function pg(i,e){return i.
-replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var OS=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function ld(i){return i.replace(OS,BS)}function BS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ld(
-t)}var kS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function mg(i){
-return i.replace(kS,zS)}function zS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
-r);return s}function gg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
+e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function xg(i,e){return i.
+replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var VS=/^[ \t]*#include +<([\w\d./]+)>/gm;
+function cd(i){return i.replace(VS,GS)}function GS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return cd(
+t)}var HS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function yg(i){
+return i.replace(HS,WS)}function WS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
+r);return s}function vg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
 ;\n precision ").concat(i.precision," samplerCube;\n precision ").concat(i.precision," sampler3D;\n precision ").concat(i.precision," sampler2DArray;\n precision\
  ").concat(i.precision," sampler2DShadow;\n precision ").concat(i.precision," samplerCubeShadow;\n precision ").concat(i.precision," sampler2DArrayShadow;\n prec\
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var VS={[ha]:"SHADOWMAP_TYPE_PCF",[io]:"SHADOWMAP_TYPE_VSM"};function GS(i){
-return VS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var HS={[ro]:"ENVMAP_MODE_REFRACTION"};function WS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":HS[i.envMapMode]||
-"ENVMAP_MODE_REFLECTION"}var XS={[jl]:"ENVMAP_BLENDING_MULTIPLY",[Nm]:"ENVMAP_BLENDING_MIX",[Dm]:"ENVMAP_BLENDING_ADD"};function qS(i){return i.envMap===!1?"ENV\
-MAP_BLENDING_NONE":XS[i.combine]||"ENVMAP_BLENDING_NONE"}function $S(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=GS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=WS(t),u=qS(t),h=DS(t),f=US(r),m=s.createProgram(),y,p,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
-(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(va).join("\n"),y.length>0&&(y+="\n"),p=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(va).join("\n"),p.length>0&&(p+="\n")):(y=[gg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var XS={[da]:"SHADOWMAP_TYPE_PCF",[so]:"SHADOWMAP_TYPE_VSM"};function $S(i){
+return XS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var qS={[oo]:"ENVMAP_MODE_REFRACTION"};function YS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":qS[i.envMapMode]||
+"ENVMAP_MODE_REFLECTION"}var ZS={[jl]:"ENVMAP_BLENDING_MULTIPLY",[Om]:"ENVMAP_BLENDING_MIX",[Bm]:"ENVMAP_BLENDING_ADD"};function JS(i){return i.envMap===!1?"ENV\
+MAP_BLENDING_NONE":ZS[i.combine]||"ENVMAP_BLENDING_NONE"}function KS(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=$S(t),c=t.envMapPMREM===
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=YS(t),u=JS(t),h=BS(t),f=kS(r),p=s.createProgram(),y,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Ma).join("\n"),y.length>0&&(y+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
+"#define SHADER_NAME "+t.shaderName,f].filter(Ma).join("\n"),m.length>0&&(m+="\n")):(y=[vg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2968,7 +2969,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(va).join("\n"),p=[gg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(Ma).join("\n"),m=[vg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2989,254 +2990,254 @@ DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#defin
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Vi?"#define TONE_MAPPING":"",t.toneMapping!==Vi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
-Vi?LS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,PS("linearToOutputTexel",t.outputColorSpace),
-NS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(va).join("\n")),o=ld(o),o=fg(o,t),o=pg(o,t),a=ld(a),a=fg(a,t),a=pg(a,t),o=mg(o),a=
-mg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,p=["#d\
-efine varying in",t.glslVersion===Ju?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Ju?"":"#define gl_FragColor pc_fragColor","#define g\
+Vi?FS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,DS("linearToOutputTexel",t.outputColorSpace),
+OS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(Ma).join("\n")),o=cd(o),o=_g(o,t),o=xg(o,t),a=cd(a),a=_g(a,t),a=xg(a,t),o=yg(o),a=
+yg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,m=["#d\
+efine varying in",t.glslVersion===Ku?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Ku?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let _=g+y+o,S=g+p+a,M=hg(s,s.VERTEX_SHADER,_),C=hg(s,s.FRAGMENT_SHADER,S);s.attachShader(
-m,M),s.attachShader(m,C),t.index0AttributeName!==void 0?s.bindAttribLocation(m,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(m,0,"p\
-osition"),s.linkProgram(m);function T(R){if(i.debug.checkShaderErrors){let P=s.getProgramInfoLog(m)||"",F=s.getShaderInfoLog(M)||"",z=s.getShaderInfoLog(C)||"",
-D=P.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(m,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
-s,m,M,C);else{let K=dg(s,M,"vertex"),Q=dg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(m,s.VALIDATE_STATUS)+
-"\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?$e("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(R.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:p}})}s.deleteShader(M),s.deleteShader(C),x=new ao(
-s,m),b=FS(s,m)}let x;this.getUniforms=function(){return x===void 0&&T(this),x};let b;this.getAttributes=function(){return b===void 0&&T(this),b};let L=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return L===!1&&(L=s.getProgramParameter(m,AS)),L},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(m),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=ES++,this.cacheKey=e,this.usedTimes=1,this.program=m,this.vertexShader=M,this.fragmentShader=
-C,this}var YS=0,cd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let x=g+y+o,w=g+m+a,b=pg(s,s.VERTEX_SHADER,x),C=pg(s,s.FRAGMENT_SHADER,w);s.attachShader(
+p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
+osition"),s.linkProgram(p);function S(R){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
+D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
+s,p,b,C);else{let K=gg(s,b,"vertex"),Q=gg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
+"\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
+"")&&(ce=!1);ce&&(R.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new lo(
+s,p),M=zS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let P=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return P===!1&&(P=s.getProgramParameter(p,PS)),P},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=IS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
+C,this}var jS=0,hd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
-n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new hd(e),t.set(e,n)),n}},hd=class{constructor(e){
-this.id=YS++,this.code=e,this.usedTimes=0}};function ZS(i){return i===Us||i===ga||i===_a}function JS(i,e,t,n,s,r){let o=new Jr,a=new cd,l=new Set,c=[],d=new Map,
+n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new ud(e),t.set(e,n)),n}},ud=class{constructor(e){
+this.id=jS++,this.code=e,this.usedTimes=0}};function QS(i){return i===Fs||i===xa||i===ya}function ew(i,e,t,n,s,r){let o=new Kr,a=new hd,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
-basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(x){return l.add(x),x===0?"uv":"uv".concat(
-x)}function m(x,b,L,R,P,F){let z=R.fog,D=P.geometry,G=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?R.environment:null,Y=x.isMeshStandardMaterial||
-x.isMeshLambertMaterial&&!x.envMap||x.isMeshPhongMaterial&&!x.envMap,W=e.get(x.envMap||G,Y),ce=h[x.type],K=n.precision;x.precision!==null&&(K=n.getMaxPrecision(
-x.precision),K!==x.precision&&$e("WebGLProgram.getParameters:",x.precision,"not supported, using",K,"instead."));let Q=D.morphAttributes.position||D.morphAttributes.
+basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(_){return l.add(_),_===0?"uv":"uv".concat(
+_)}function p(_,M,P,R,I,F){let z=R.fog,D=I.geometry,G=_.isMeshStandardMaterial||_.isMeshLambertMaterial||_.isMeshPhongMaterial?R.environment:null,Y=_.isMeshStandardMaterial||
+_.isMeshLambertMaterial&&!_.envMap||_.isMeshPhongMaterial&&!_.envMap,W=e.get(_.envMap||G,Y),ce=h[_.type],K=n.precision;_.precision!==null&&(K=n.getMaxPrecision(
+_.precision),K!==_.precision&&qe("WebGLProgram.getParameters:",_.precision,"not supported, using",K,"instead."));let Q=D.morphAttributes.position||D.morphAttributes.
 normal||D.morphAttributes.color,se=Q!==void 0?Q.length:0,de=0;D.morphAttributes.position!==void 0&&(de=1),D.morphAttributes.normal!==void 0&&(de=2),D.morphAttributes.
-color!==void 0&&(de=3);let ue,ee,me,xe;if(ce){let Ce=Hi[ce];ue=Ce.vertexShader,ee=Ce.fragmentShader}else{ue=x.vertexShader,ee=x.fragmentShader;let Ce=a.getVertexShaderStage(
-x),ot=a.getFragmentShaderStage(x);a.update(x,Ce,ot),me=Ce.id,xe=ot.id}let Ee=i.getRenderTarget(),be=i.state.buffers.depth.getReversed(),He=P.isInstancedMesh===!0,
-nt=P.isBatchedMesh===!0,Ve=!!x.map,ut=!!x.matcap,lt=!!W,et=lt&&W.isPMREMTexture===!0,Gt=!!x.aoMap,Ut=!!x.lightMap,Qt=!!x.bumpMap&&x.wireframe===!1,Pt=!!x.normalMap,
-gn=!!x.displacementMap,vt=!!x.emissiveMap,cn=!!x.metalnessMap,qt=!!x.roughnessMap,en=x.anisotropy>0,B=x.clearcoat>0,Re=x.diffuseRoughness>0,qe=x.dispersion>0,it=x.
-retroreflectivity>0,Se=x.iridescence>0,Lt=x.sheen>0,ze=x.transmission>0,Xe=en&&!!x.anisotropyMap,I=B&&!!x.clearcoatMap,w=B&&!!x.clearcoatNormalMap,q=B&&!!x.clearcoatRoughnessMap,
-he=Re&&!!x.diffuseRoughnessMap,oe=Se&&!!x.iridescenceMap,_e=Se&&!!x.iridescenceThicknessMap,ye=Lt&&!!x.sheenColorMap,te=Lt&&!!x.sheenRoughnessMap,ie=!!x.specularMap,
-pe=!!x.specularColorMap,O=!!x.specularIntensityMap,re=ze&&!!x.transmissionMap,ne=ze&&!!x.thicknessMap,we=!!x.gradientMap,ge=!!x.alphaMap,Me=x.alphaTest>0,Ge=!!x.
-alphaHash,Ze=!!x.extensions,le=Vi;x.toneMapped&&(Ee===null||Ee.isXRRenderTarget===!0)&&(le=i.toneMapping);let Oe=et?W.isCompressedCubeTexture?W.image[0].mipmaps:
-W.mipmaps:null,Je={shaderID:ce,shaderType:x.type,shaderName:x.name,vertexShader:ue,fragmentShader:ee,defines:x.defines,customVertexShaderID:me,customFragmentShaderID:xe,
-isRawShaderMaterial:x.isRawShaderMaterial===!0,glslVersion:x.glslVersion,precision:K,batching:nt,batchingColor:nt&&P._colorsTexture!==null,instancing:He,instancingColor:He&&
-P.instanceColor!==null,instancingMorph:He&&P.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
-workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&W.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
-Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&x.normalMapType===Om,normalMapTangentSpace:Pt&&
-x.normalMapType===kc,packedNormalMap:Pt&&x.normalMapType===kc&&ZS(x.normalMap.format),metalnessMap:cn,roughnessMap:qt,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
-clearcoatMap:I,clearcoatNormalMap:w,clearcoatRoughnessMap:q,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:qe,retroreflection:it,iridescence:Se,iridescenceMap:oe,
+color!==void 0&&(de=3);let ue,ee,me,xe;if(ce){let Ce=Hi[ce];ue=Ce.vertexShader,ee=Ce.fragmentShader}else{ue=_.vertexShader,ee=_.fragmentShader;let Ce=a.getVertexShaderStage(
+_),ot=a.getFragmentShaderStage(_);a.update(_,Ce,ot),me=Ce.id,xe=ot.id}let Ee=i.getRenderTarget(),Me=i.state.buffers.depth.getReversed(),He=I.isInstancedMesh===!0,
+nt=I.isBatchedMesh===!0,Ve=!!_.map,ut=!!_.matcap,lt=!!W,et=lt&&W.isPMREMTexture===!0,Gt=!!_.aoMap,Ut=!!_.lightMap,Qt=!!_.bumpMap&&_.wireframe===!1,Pt=!!_.normalMap,
+gn=!!_.displacementMap,vt=!!_.emissiveMap,cn=!!_.metalnessMap,$t=!!_.roughnessMap,en=_.anisotropy>0,B=_.clearcoat>0,Re=_.diffuseRoughness>0,$e=_.dispersion>0,it=_.
+retroreflectivity>0,Se=_.iridescence>0,Lt=_.sheen>0,ze=_.transmission>0,Xe=en&&!!_.anisotropyMap,L=B&&!!_.clearcoatMap,T=B&&!!_.clearcoatNormalMap,$=B&&!!_.clearcoatRoughnessMap,
+he=Re&&!!_.diffuseRoughnessMap,oe=Se&&!!_.iridescenceMap,_e=Se&&!!_.iridescenceThicknessMap,ye=Lt&&!!_.sheenColorMap,te=Lt&&!!_.sheenRoughnessMap,ie=!!_.specularMap,
+pe=!!_.specularColorMap,O=!!_.specularIntensityMap,re=ze&&!!_.transmissionMap,ne=ze&&!!_.thicknessMap,we=!!_.gradientMap,ge=!!_.alphaMap,be=_.alphaTest>0,Ge=!!_.
+alphaHash,Ze=!!_.extensions,le=Vi;_.toneMapped&&(Ee===null||Ee.isXRRenderTarget===!0)&&(le=i.toneMapping);let Oe=et?W.isCompressedCubeTexture?W.image[0].mipmaps:
+W.mipmaps:null,Je={shaderID:ce,shaderType:_.type,shaderName:_.name,vertexShader:ue,fragmentShader:ee,defines:_.defines,customVertexShaderID:me,customFragmentShaderID:xe,
+isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:K,batching:nt,batchingColor:nt&&I._colorsTexture!==null,instancing:He,instancingColor:He&&
+I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
+workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&W.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
+Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&_.normalMapType===Vm,normalMapTangentSpace:Pt&&
+_.normalMapType===kc,packedNormalMap:Pt&&_.normalMapType===kc&&QS(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
+clearcoatMap:L,clearcoatNormalMap:T,clearcoatRoughnessMap:$,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:$e,retroreflection:it,iridescence:Se,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
-thicknessMap:ne,gradientMap:we,opaque:x.transparent===!1&&x.blending===so&&x.alphaToCoverage===!1,alphaMap:ge,alphaTest:Me,alphaHash:Ge,combine:x.combine,mapUv:Ve&&
-f(x.map.channel),aoMapUv:Gt&&f(x.aoMap.channel),lightMapUv:Ut&&f(x.lightMap.channel),bumpMapUv:Qt&&f(x.bumpMap.channel),normalMapUv:Pt&&f(x.normalMap.channel),displacementMapUv:gn&&
-f(x.displacementMap.channel),emissiveMapUv:vt&&f(x.emissiveMap.channel),metalnessMapUv:cn&&f(x.metalnessMap.channel),roughnessMapUv:qt&&f(x.roughnessMap.channel),
-anisotropyMapUv:Xe&&f(x.anisotropyMap.channel),clearcoatMapUv:I&&f(x.clearcoatMap.channel),clearcoatNormalMapUv:w&&f(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&
-f(x.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&f(x.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(x.iridescenceMap.channel),iridescenceThicknessMapUv:_e&&
-f(x.iridescenceThicknessMap.channel),sheenColorMapUv:ye&&f(x.sheenColorMap.channel),sheenRoughnessMapUv:te&&f(x.sheenRoughnessMap.channel),specularMapUv:ie&&f(x.
-specularMap.channel),specularColorMapUv:pe&&f(x.specularColorMap.channel),specularIntensityMapUv:O&&f(x.specularIntensityMap.channel),transmissionMapUv:re&&f(x.
-transmissionMap.channel),thicknessMapUv:ne&&f(x.thicknessMap.channel),alphaMapUv:ge&&f(x.alphaMap.channel),vertexTangents:!!D.attributes.tangent&&(Pt||en),vertexNormals:!!D.
-attributes.normal,vertexColors:x.vertexColors,vertexAlphas:x.vertexColors===!0&&!!D.attributes.color&&D.attributes.color.itemSize===4,pointsUvs:P.isPoints===!0&&
-!!D.attributes.uv&&(Ve||ge),fog:!!z,useFog:x.fog===!0,fogExp2:!!z&&z.isFogExp2,flatShading:x.wireframe===!1&&(x.flatShading===!0||D.attributes.normal===void 0&&
-Pt===!1&&(x.isMeshLambertMaterial||x.isMeshPhongMaterial||x.isMeshStandardMaterial||x.isMeshPhysicalMaterial)),sizeAttenuation:x.sizeAttenuation===!0,logarithmicDepthBuffer:u,
-reversedDepthBuffer:be,skinning:P.isSkinnedMesh===!0,hasPositionAttribute:D.attributes.position!==void 0,morphTargets:D.morphAttributes.position!==void 0,morphNormals:D.
-morphAttributes.normal!==void 0,morphColors:D.morphAttributes.color!==void 0,morphTargetsCount:se,morphTextureStride:de,numSunLights:b.sun.length,numDirLights:b.
-directional.length,numPointLights:b.point.length,numSpotLights:b.spot.length,numSpotLightMaps:b.spotLightMap.length,numRectAreaLights:b.rectArea.length,numHemiLights:b.
-hemi.length,numSunLightShadows:b.sunShadowMap.length,numDirLightShadows:b.directionalShadowMap.length,numPointLightShadows:b.pointShadowMap.length,numSpotLightShadows:b.
-spotShadowMap.length,numSpotLightShadowsWithMaps:b.numSpotLightShadowsWithMaps,numLightProbes:b.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
-length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:x.dithering,shadowMapEnabled:i.shadowMap.enabled&&L.length>0,shadowMapType:i.
-shadowMap.type,toneMapping:le,decodeVideoTexture:Ve&&x.map.isVideoTexture===!0&&_t.getTransfer(x.map.colorSpace)===At,decodeVideoTextureEmissive:vt&&x.emissiveMap.
-isVideoTexture===!0&&_t.getTransfer(x.emissiveMap.colorSpace)===At,premultipliedAlpha:x.premultipliedAlpha,doubleSided:x.side===zi,flipSided:x.side===kn,useDepthPacking:x.
-depthPacking>=0,depthPacking:x.depthPacking||0,index0AttributeName:x.index0AttributeName,extensionClipCullDistance:Ze&&x.extensions.clipCullDistance===!0&&t.has(
-"WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&x.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
-R_parallel_shader_compile"),customProgramCacheKey:x.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
-Je}function y(x){let b=[];if(x.shaderID?b.push(x.shaderID):(b.push(x.customVertexShaderID),b.push(x.customFragmentShaderID)),x.defines!==void 0)for(let L in x.defines)
-b.push(L),b.push(x.defines[L]);return x.isRawShaderMaterial===!1&&(p(b,x),g(b,x),b.push(i.outputColorSpace)),b.push(x.customProgramCacheKey),b.join()}function p(x,b){
-x.push(b.precision),x.push(b.outputColorSpace),x.push(b.envMapMode),x.push(b.envMapPMREM),x.push(b.envMapMaxLod),x.push(b.envMapSize),x.push(b.mapUv),x.push(b.alphaMapUv),
-x.push(b.lightMapUv),x.push(b.aoMapUv),x.push(b.bumpMapUv),x.push(b.normalMapUv),x.push(b.displacementMapUv),x.push(b.emissiveMapUv),x.push(b.metalnessMapUv),x.
-push(b.roughnessMapUv),x.push(b.anisotropyMapUv),x.push(b.clearcoatMapUv),x.push(b.clearcoatNormalMapUv),x.push(b.clearcoatRoughnessMapUv),x.push(b.diffuseRoughnessMapUv),
-x.push(b.iridescenceMapUv),x.push(b.iridescenceThicknessMapUv),x.push(b.sheenColorMapUv),x.push(b.sheenRoughnessMapUv),x.push(b.specularMapUv),x.push(b.specularColorMapUv),
-x.push(b.specularIntensityMapUv),x.push(b.transmissionMapUv),x.push(b.thicknessMapUv),x.push(b.combine),x.push(b.fogExp2),x.push(b.sizeAttenuation),x.push(b.morphTargetsCount),
-x.push(b.numSunLights),x.push(b.numDirLights),x.push(b.numPointLights),x.push(b.numSpotLights),x.push(b.numSpotLightMaps),x.push(b.numHemiLights),x.push(b.numRectAreaLights),
-x.push(b.numSunLightShadows),x.push(b.numDirLightShadows),x.push(b.numPointLightShadows),x.push(b.numSpotLightShadows),x.push(b.numSpotLightShadowsWithMaps),x.push(
-b.numLightProbes),x.push(b.numLightProbeGrids),x.push(b.shadowMapType),x.push(b.toneMapping),x.push(b.numClippingPlanes),x.push(b.numClipIntersection),x.push(b.
-depthPacking)}function g(x,b){o.disableAll(),b.instancing&&o.enable(0),b.instancingColor&&o.enable(1),b.instancingMorph&&o.enable(2),b.matcap&&o.enable(3),b.envMap&&
-o.enable(4),b.normalMapObjectSpace&&o.enable(5),b.normalMapTangentSpace&&o.enable(6),b.clearcoat&&o.enable(7),b.iridescence&&o.enable(8),b.alphaTest&&o.enable(9),
-b.vertexColors&&o.enable(10),b.vertexAlphas&&o.enable(11),b.vertexUv1s&&o.enable(12),b.vertexUv2s&&o.enable(13),b.vertexUv3s&&o.enable(14),b.vertexTangents&&o.enable(
-15),b.anisotropy&&o.enable(16),b.alphaHash&&o.enable(17),b.batching&&o.enable(18),b.dispersion&&o.enable(19),b.retroreflection&&o.enable(24),b.diffuseRoughness&&
-o.enable(25),b.batchingColor&&o.enable(20),b.gradientMap&&o.enable(21),b.packedNormalMap&&o.enable(22),b.vertexNormals&&o.enable(23),x.push(o.mask),o.disableAll(),
-b.fog&&o.enable(0),b.useFog&&o.enable(1),b.flatShading&&o.enable(2),b.logarithmicDepthBuffer&&o.enable(3),b.reversedDepthBuffer&&o.enable(4),b.skinning&&o.enable(
-5),b.morphTargets&&o.enable(6),b.morphNormals&&o.enable(7),b.morphColors&&o.enable(8),b.premultipliedAlpha&&o.enable(9),b.shadowMapEnabled&&o.enable(10),b.doubleSided&&
-o.enable(11),b.flipSided&&o.enable(12),b.useDepthPacking&&o.enable(13),b.dithering&&o.enable(14),b.transmission&&o.enable(15),b.sheen&&o.enable(16),b.opaque&&o.
-enable(17),b.pointsUvs&&o.enable(18),b.decodeVideoTexture&&o.enable(19),b.decodeVideoTextureEmissive&&o.enable(20),b.alphaToCoverage&&o.enable(21),b.numLightProbeGrids>
-0&&o.enable(22),b.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function _(x){let b=h[x.type],L;if(b){let R=Hi[b];L=Km.clone(R.uniforms)}else L=x.uniforms;return L}
-function S(x,b){let L=d.get(b);return L!==void 0?++L.usedTimes:(L=new $S(i,b,x,s),c.push(L),d.set(b,L)),L}function M(x){if(--x.usedTimes===0){let b=c.indexOf(x);
-c[b]=c[c.length-1],c.pop(),d.delete(x.cacheKey),x.destroy()}}function C(x){a.remove(x)}function T(){a.dispose()}return{getParameters:m,getProgramCacheKey:y,getUniforms:_,
-acquireProgram:S,releaseProgram:M,releaseShaderCache:C,programs:c,dispose:T}}function KS(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+thicknessMap:ne,gradientMap:we,opaque:_.transparent===!1&&_.blending===ro&&_.alphaToCoverage===!1,alphaMap:ge,alphaTest:be,alphaHash:Ge,combine:_.combine,mapUv:Ve&&
+f(_.map.channel),aoMapUv:Gt&&f(_.aoMap.channel),lightMapUv:Ut&&f(_.lightMap.channel),bumpMapUv:Qt&&f(_.bumpMap.channel),normalMapUv:Pt&&f(_.normalMap.channel),displacementMapUv:gn&&
+f(_.displacementMap.channel),emissiveMapUv:vt&&f(_.emissiveMap.channel),metalnessMapUv:cn&&f(_.metalnessMap.channel),roughnessMapUv:$t&&f(_.roughnessMap.channel),
+anisotropyMapUv:Xe&&f(_.anisotropyMap.channel),clearcoatMapUv:L&&f(_.clearcoatMap.channel),clearcoatNormalMapUv:T&&f(_.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:$&&
+f(_.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&f(_.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(_.iridescenceMap.channel),iridescenceThicknessMapUv:_e&&
+f(_.iridescenceThicknessMap.channel),sheenColorMapUv:ye&&f(_.sheenColorMap.channel),sheenRoughnessMapUv:te&&f(_.sheenRoughnessMap.channel),specularMapUv:ie&&f(_.
+specularMap.channel),specularColorMapUv:pe&&f(_.specularColorMap.channel),specularIntensityMapUv:O&&f(_.specularIntensityMap.channel),transmissionMapUv:re&&f(_.
+transmissionMap.channel),thicknessMapUv:ne&&f(_.thicknessMap.channel),alphaMapUv:ge&&f(_.alphaMap.channel),vertexTangents:!!D.attributes.tangent&&(Pt||en),vertexNormals:!!D.
+attributes.normal,vertexColors:_.vertexColors,vertexAlphas:_.vertexColors===!0&&!!D.attributes.color&&D.attributes.color.itemSize===4,pointsUvs:I.isPoints===!0&&
+!!D.attributes.uv&&(Ve||ge),fog:!!z,useFog:_.fog===!0,fogExp2:!!z&&z.isFogExp2,flatShading:_.wireframe===!1&&(_.flatShading===!0||D.attributes.normal===void 0&&
+Pt===!1&&(_.isMeshLambertMaterial||_.isMeshPhongMaterial||_.isMeshStandardMaterial||_.isMeshPhysicalMaterial)),sizeAttenuation:_.sizeAttenuation===!0,logarithmicDepthBuffer:u,
+reversedDepthBuffer:Me,skinning:I.isSkinnedMesh===!0,hasPositionAttribute:D.attributes.position!==void 0,morphTargets:D.morphAttributes.position!==void 0,morphNormals:D.
+morphAttributes.normal!==void 0,morphColors:D.morphAttributes.color!==void 0,morphTargetsCount:se,morphTextureStride:de,numSunLights:M.sun.length,numDirLights:M.
+directional.length,numPointLights:M.point.length,numSpotLights:M.spot.length,numSpotLightMaps:M.spotLightMap.length,numRectAreaLights:M.rectArea.length,numHemiLights:M.
+hemi.length,numSunLightShadows:M.sunShadowMap.length,numDirLightShadows:M.directionalShadowMap.length,numPointLightShadows:M.pointShadowMap.length,numSpotLightShadows:M.
+spotShadowMap.length,numSpotLightShadowsWithMaps:M.numSpotLightShadowsWithMaps,numLightProbes:M.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
+length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:_.dithering,shadowMapEnabled:i.shadowMap.enabled&&P.length>0,shadowMapType:i.
+shadowMap.type,toneMapping:le,decodeVideoTexture:Ve&&_.map.isVideoTexture===!0&&_t.getTransfer(_.map.colorSpace)===At,decodeVideoTextureEmissive:vt&&_.emissiveMap.
+isVideoTexture===!0&&_t.getTransfer(_.emissiveMap.colorSpace)===At,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===zi,flipSided:_.side===Bn,useDepthPacking:_.
+depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Ze&&_.extensions.clipCullDistance===!0&&t.has(
+"WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
+R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
+Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let P in _.defines)
+M.push(P),M.push(_.defines[P]);return _.isRawShaderMaterial===!1&&(m(M,_),g(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function m(_,M){
+_.push(M.precision),_.push(M.outputColorSpace),_.push(M.envMapMode),_.push(M.envMapPMREM),_.push(M.envMapMaxLod),_.push(M.envMapSize),_.push(M.mapUv),_.push(M.alphaMapUv),
+_.push(M.lightMapUv),_.push(M.aoMapUv),_.push(M.bumpMapUv),_.push(M.normalMapUv),_.push(M.displacementMapUv),_.push(M.emissiveMapUv),_.push(M.metalnessMapUv),_.
+push(M.roughnessMapUv),_.push(M.anisotropyMapUv),_.push(M.clearcoatMapUv),_.push(M.clearcoatNormalMapUv),_.push(M.clearcoatRoughnessMapUv),_.push(M.diffuseRoughnessMapUv),
+_.push(M.iridescenceMapUv),_.push(M.iridescenceThicknessMapUv),_.push(M.sheenColorMapUv),_.push(M.sheenRoughnessMapUv),_.push(M.specularMapUv),_.push(M.specularColorMapUv),
+_.push(M.specularIntensityMapUv),_.push(M.transmissionMapUv),_.push(M.thicknessMapUv),_.push(M.combine),_.push(M.fogExp2),_.push(M.sizeAttenuation),_.push(M.morphTargetsCount),
+_.push(M.numSunLights),_.push(M.numDirLights),_.push(M.numPointLights),_.push(M.numSpotLights),_.push(M.numSpotLightMaps),_.push(M.numHemiLights),_.push(M.numRectAreaLights),
+_.push(M.numSunLightShadows),_.push(M.numDirLightShadows),_.push(M.numPointLightShadows),_.push(M.numSpotLightShadows),_.push(M.numSpotLightShadowsWithMaps),_.push(
+M.numLightProbes),_.push(M.numLightProbeGrids),_.push(M.shadowMapType),_.push(M.toneMapping),_.push(M.numClippingPlanes),_.push(M.numClipIntersection),_.push(M.
+depthPacking)}function g(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
+o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
+M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
+15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
+o.enable(25),M.batchingColor&&o.enable(20),M.gradientMap&&o.enable(21),M.packedNormalMap&&o.enable(22),M.vertexNormals&&o.enable(23),_.push(o.mask),o.disableAll(),
+M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmicDepthBuffer&&o.enable(3),M.reversedDepthBuffer&&o.enable(4),M.skinning&&o.enable(
+5),M.morphTargets&&o.enable(6),M.morphNormals&&o.enable(7),M.morphColors&&o.enable(8),M.premultipliedAlpha&&o.enable(9),M.shadowMapEnabled&&o.enable(10),M.doubleSided&&
+o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
+enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
+0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function x(_){let M=h[_.type],P;if(M){let R=Hi[M];P=tg.clone(R.uniforms)}else P=_.uniforms;return P}
+function w(_,M){let P=d.get(M);return P!==void 0?++P.usedTimes:(P=new KS(i,M,_,s),c.push(P),d.set(M,P)),P}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
+c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function S(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:x,
+acquireProgram:w,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:S}}function tw(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
-dispose:r}}function jS(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
-e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function _g(i,e){
-return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function xg(){
-let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,m,y,p,g){
-let _=i[e];return _===void 0?(_={id:h.id,object:h,geometry:f,material:m,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:p,group:g},i[e]=_):(_.id=h.
-id,_.object=h,_.geometry=f,_.material=m,_.materialVariant=o(h),_.groupOrder=y,_.renderOrder=h.renderOrder,_.z=p,_.group=g),e++,_}function l(h,f,m,y,p,g,_){_.reversedDepth===
-!0&&(p=-p);let S=a(h,f,m,y,p,g);m.transmission>0?n.push(S):m.transparent===!0?s.push(S):t.push(S)}function c(h,f,m,y,p,g){let _=a(h,f,m,y,p,g);m.transmission>0?
-n.unshift(_):m.transparent===!0?s.unshift(_):t.unshift(_)}function d(h,f){t.length>1&&t.sort(h||jS),n.length>1&&n.sort(f||_g),s.length>1&&s.sort(f||_g)}function u(){
-for(let h=e,f=i.length;h<f;h++){let m=i[h];if(m.id===null)break;m.id=null,m.object=null,m.geometry=null,m.material=null,m.group=null}}return{opaque:t,transmissive:n,
-transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function QS(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new xg,i.set(n,[o])):
-s>=r.length?(o=new xg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function ew(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
+dispose:r}}function nw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
+e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function bg(i,e){
+return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function Mg(){
+let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,m,g){
+let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:m,group:g},i[e]=x):(x.id=h.
+id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=m,x.group=g),e++,x}function l(h,f,p,y,m,g,x){x.reversedDepth===
+!0&&(m=-m);let w=a(h,f,p,y,m,g);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,m,g){let x=a(h,f,p,y,m,g);p.transmission>0?
+n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||nw),n.length>1&&n.sort(f||bg),s.length>1&&s.sort(f||bg)}function u(){
+for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
+transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function iw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new Mg,i.set(n,[o])):
+s>=r.length?(o=new Mg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function sw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
 id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new rt};break;case"SpotLight":t={position:new V,direction:new V,color:new rt,
 distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
-skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function tw(){
+skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function rw(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
-id]=t,t}}}var nw=0;function iw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function sw(i){let e=new ew,t=tw(),n={version:0,hash:{sunLength:-1,
+id]=t,t}}}var ow=0;function aw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function lw(i){let e=new sw,t=rw(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,m=0,y=0,p=0,g=0,_=0,S=0,M=0,C=0,T=0,x=0,b=0,L=0,R=0;c.sort(iw);
-for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Us?ce=D.shadow.
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,m=0,g=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,P=0,R=0;c.sort(aw);
+for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Fs?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);R++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
 se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize.copy(Q.mapSize).multiply(
-Q.getFrameExtents()),n.sunShadow[m]=se,n.sunShadowMap[m]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
-ue]=Q._cascadeData[ue];y+=de,m++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
+Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
+ue]=Q._cascadeData[ue];y+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.directionalShadow[p]=se,n.directionalShadowMap[p]=ce,n.directionalShadowMatrix[p]=D.shadow.matrix,C++}n.directional[p]=K,p++}else if(D.isSpotLight){let K=e.get(
+n.directionalShadow[m]=se,n.directionalShadowMap[m]=ce,n.directionalShadowMatrix[m]=D.shadow.matrix,C++}n.directional[m]=K,m++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
-D.penumbra)),K.decay=D.decay,n.spot[_]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[b]=D.map,b++,Q.updateMatrices(D),D.castShadow&&L++),n.spotLightMatrix[_]=Q.matrix,
+D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&P++),n.spotLightMatrix[x]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.spotShadow[_]=se,n.spotShadowMap[_]=ce,x++}_++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
-set(0,D.height*.5,0),n.rectArea[S]=K,S++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
+n.spotShadow[x]=se,n.spotShadowMap[x]=ce,_++}x++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
+set(0,D.height*.5,0),n.rectArea[w]=K,w++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
 shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
-matrix,T++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
-Y),n.hemi[M]=K,M++}}S>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let P=n.hash;(P.sunLength!==f||P.directionalLength!==p||P.pointLength!==g||P.spotLength!==_||P.rectAreaLength!==
-S||P.hemiLength!==M||P.numSunShadows!==m||P.numDirectionalShadows!==C||P.numPointShadows!==T||P.numSpotShadows!==x||P.numSpotMaps!==b||P.numLightProbes!==R)&&(n.
-sun.length=f,n.directional.length=p,n.spot.length=_,n.rectArea.length=S,n.point.length=g,n.hemi.length=M,n.sunShadow.length=m,n.sunShadowMap.length=m,n.sunShadowMatrix.
-length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=T,n.pointShadowMap.
-length=T,n.pointShadowMatrix.length=T,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+b-L,n.spotLightMap.length=b,n.numSpotLightShadowsWithMaps=
-L,n.numLightProbes=R,P.sunLength=f,P.directionalLength=p,P.pointLength=g,P.spotLength=_,P.rectAreaLength=S,P.hemiLength=M,P.numSunShadows=m,P.numDirectionalShadows=
-C,P.numPointShadows=T,P.numSpotShadows=x,P.numSpotMaps=b,P.numLightProbes=R,n.version=nw++)}function l(c,d){let u=0,h=0,f=0,m=0,y=0,p=0,g=d.matrixWorldInverse;for(let _=0,
-S=c.length;_<S;_++){let M=c[_];if(M.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(M.matrixWorld),C.direction.transformDirection(g),u++}else if(M.
-isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(g),h++}else if(M.isSpotLight){let C=n.spot[m];C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
-M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),m++}else if(M.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(M.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
-set(M.width*.5,0,0),C.halfHeight.set(0,M.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(M.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),f++}else if(M.isHemisphereLight){let C=n.hemi[p];C.direction.setFromMatrixPosition(M.matrixWorld),
-C.direction.transformDirection(g),p++}}}return{setup:a,setupView:l,state:n}}function yg(i){let e=new sw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+matrix,S++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+Y),n.hemi[b]=K,b++}}w>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==m||I.pointLength!==g||I.spotLength!==x||I.rectAreaLength!==
+w||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==R)&&(n.
+sun.length=f,n.directional.length=m,n.spot.length=x,n.rectArea.length=w,n.point.length=g,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
+length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=S,n.pointShadowMap.
+length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-P,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
+P,n.numLightProbes=R,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
+C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=R,n.version=ow++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,m=0,g=d.matrixWorldInverse;for(let x=0,
+w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
+isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
+transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
+b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
+C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
+set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
+setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
+C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Sg(i){let e=new lw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
-return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function rw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
-(a=new yg(i),e.set(s,[a])):r>=o.length?(a=new yg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var ow="void main() {\n gl_Position = \
-vec4( position, 1.0 );\n}",aw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
+return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function cw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
+(a=new Sg(i),e.set(s,[a])):r>=o.length?(a=new Sg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var hw="void main() {\n gl_Position = \
+vec4( position, 1.0 );\n}",uw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
 PLES );\n float mean = 0.0;\n float squared_mean = 0.0;\n float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );\n float uvStart = samples <= 1.0 ? 0.0 : \
 - 1.0;\n for ( float i = 0.0; i < samples; i ++ ) {\n  float uvOffset = uvStart + i * uvStride;\n  #ifdef HORIZONTAL_PASS\n   vec2 distribution = texture2D( shadow_\
 pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n   mean += distribution.x;\n   squared_mean += distribution.y * distribution.y + di\
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
-mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",lw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-cw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],vg=new xt,ya=new V,sd=new V;function hw(i,e,t){let n=new Es,s=new st,r=new st,
-o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Ds]:kn,[kn]:Ds,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new st},radius:{value:4}},vertexShader:ow,fragmentShader:aw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let m=new ln;m.setAttribute("position",new Mi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new ci(m,h),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(T,x,b){
-if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||T.length===0)return;this.type===pm&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
-hadowMap instead."),this.type=ha);let L=i.getRenderTarget(),R=i.getActiveCubeFace(),P=i.getActiveMipmapLevel(),F=i.state;F.setBlending(Qs),F.buffers.depth.getReversed()===
-!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&x.traverse(function(D){
-D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=T.length;D<G;D++){let Y=T[D],W=Y.shadow;
-if(W===void 0){$e("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
+mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",dw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
+fw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],wg=new xt,ba=new V,rd=new V;function pw(i,e,t){let n=new Cs,s=new st,r=new st,
+o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Us]:Bn,[Bn]:Us,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
+value:new st},radius:{value:4}},vertexShader:hw,fragmentShader:uw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=da;let g=this.type;this.render=function(S,_,M){
+if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||S.length===0)return;this.type===xm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+hadowMap instead."),this.type=da);let P=i.getRenderTarget(),R=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(er),F.buffers.depth.getReversed()===
+!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
+D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=S.length;D<G;D++){let Y=S[D],W=Y.shadow;
+if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
 s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
 y=r.y));let K=i.state.buffers.depth.getReversed();if(W.camera._reversedDepth=K,W.map===null||z===!0){if(W.map!==null&&(W.map.depthTexture!==null&&(W.map.depthTexture.
-dispose(),W.map.depthTexture=null),W.map.dispose()),this.type===io){if(Y.isPointLight){$e("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
-e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Us,type:Si,minFilter:On,magFilter:On,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
-hadowMap",W.map.depthTexture=new cs(s.x,s.y,hi),W.map.depthTexture.name=Y.name+".shadowMapDepth",W.map.depthTexture.format=ss,W.map.depthTexture.compareFunction=
-null,W.map.depthTexture.minFilter=bn,W.map.depthTexture.magFilter=bn}else Y.isPointLight?(W.map=new Ma(s.x),W.map.depthTexture=new Yo(s.x,bi)):(W.map=new ti(s.x,
-s.y),W.map.depthTexture=new cs(s.x,s.y,bi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=ss,this.type===ha?(W.map.depthTexture.compareFunction=
-K?Yu:$u,W.map.depthTexture.minFilter=On,W.map.depthTexture.magFilter=On):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=bn,W.map.depthTexture.
-magFilter=bn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
-isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,b);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:b.layers;
+dispose(),W.map.depthTexture=null),W.map.dispose()),this.type===so){if(Y.isPointLight){qe("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
+e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Fs,type:Si,minFilter:Fn,magFilter:Fn,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
+hadowMap",W.map.depthTexture=new cs(s.x,s.y,ui),W.map.depthTexture.name=Y.name+".shadowMapDepth",W.map.depthTexture.format=ss,W.map.depthTexture.compareFunction=
+null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.magFilter=Mn}else Y.isPointLight?(W.map=new Sa(s.x),W.map.depthTexture=new Jo(s.x,Mi)):(W.map=new ti(s.x,
+s.y),W.map.depthTexture=new cs(s.x,s.y,Mi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=ss,this.type===da?(W.map.depthTexture.compareFunction=
+K?Zu:Yu,W.map.depthTexture.minFilter=Fn,W.map.depthTexture.magFilter=Fn):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.
+magFilter=Mn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
+isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,M);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:M.layers;
 for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
-ya.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ya),sd.copy(ee.position),sd.add(lw[de]),ee.up.copy(cw[de]),ee.lookAt(sd),ee.updateMatrixWorld(),me.makeTranslation(
--ya.x,-ya.y,-ya.z),vg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(vg,ee.coordinateSystem,ee.reversedDepth)}if(W.
+ba.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ba),rd.copy(ee.position),rd.add(dw[de]),ee.up.copy(fw[de]),ee.lookAt(rd),ee.updateMatrixWorld(),me.makeTranslation(
+-ba.x,-ba.y,-ba.z),wg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(wg,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),M(x,b,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===io&&_(W,b),W.needsUpdate=!1}g=this.type,
-p.needsUpdate=!1,i.setRenderTarget(L,R,P)};function _(T,x){let b=e.update(y);h.defines.VSM_SAMPLES!==T.blurSamples&&(h.defines.VSM_SAMPLES=T.blurSamples,f.defines.
-VSM_SAMPLES=T.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),T.mapPass===null?T.mapPass=new ti(s.x,s.y,{format:Us,type:Si}):(T.mapPass.width!==T.map.width||T.mapPass.
-height!==T.map.height)&&T.mapPass.setSize(T.map.width,T.map.height),h.uniforms.shadow_pass.value=T.map.depthTexture,h.uniforms.resolution.value.set(T.map.width,
-T.map.height),h.uniforms.radius.value=T.radius,i.setRenderTarget(T.mapPass),i.clear(),i.renderBufferDirect(x,null,b,h,y,null),f.uniforms.shadow_pass.value=T.mapPass.
-texture,f.uniforms.resolution.value.set(T.map.width,T.map.height),f.uniforms.radius.value=T.radius,i.setRenderTarget(T.map),i.clear(),i.renderBufferDirect(x,null,
-b,f,y,null)}function S(T,x,b,L){let R=null,P=b.isPointLight===!0?T.customDistanceMaterial:T.customDepthMaterial;if(P!==void 0)R=P;else if(R=b.isPointLight===!0?
-l:a,i.localClippingEnabled&&x.clipShadows===!0&&Array.isArray(x.clippingPlanes)&&x.clippingPlanes.length!==0||x.displacementMap&&x.displacementScale!==0||x.alphaMap&&
-x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let F=R.uuid,z=x.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=R.clone(),D[z]=G,x.
-addEventListener("dispose",C)),R=G}if(R.visible=x.visible,R.wireframe=x.wireframe,L===io?R.side=x.shadowSide!==null?x.shadowSide:x.side:R.side=x.shadowSide!==null?
-x.shadowSide:u[x.side],R.alphaMap=x.alphaMap,R.alphaTest=x.alphaToCoverage===!0?.5:x.alphaTest,R.map=x.map,R.clipShadows=x.clipShadows,R.clippingPlanes=x.clippingPlanes,
-R.clipIntersection=x.clipIntersection,R.displacementMap=x.displacementMap,R.displacementScale=x.displacementScale,R.displacementBias=x.displacementBias,R.wireframeLinewidth=
-x.wireframeLinewidth,R.linewidth=x.linewidth,b.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=b}return R}function M(T,x,b,L,R,P){
-if(T.visible===!1)return;if(T.layers.test(R)&&(T.isMesh||T.isLine||T.isPoints)&&(T.castShadow||T.receiveShadow&&P===io)&&(!T.frustumCulled||T.intersectsFrustum(
-n))){T.modelViewMatrix.multiplyMatrices(b.matrixWorldInverse,T.matrixWorld);let D=e.update(T),G=T.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
-length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=S(T,Q,L,P);T.onBeforeShadow(i,T,x,b,D,se,K),i.renderBufferDirect(b,null,D,se,T,K),T.onAfterShadow(
-i,T,x,b,D,se,K)}}}else if(G.visible){let Y=S(T,G,L,P);T.onBeforeShadow(i,T,x,b,D,Y,null),i.renderBufferDirect(b,null,D,Y,T,null),T.onAfterShadow(i,T,x,b,D,Y,null)}}
-let z=T.children;for(let D=0,G=z.length;D<G;D++)M(z[D],x,b,L,R,P)}function C(T){T.target.removeEventListener("dispose",C);for(let b in c){let L=c[b],R=T.target.
-uuid;R in L&&(L[R].dispose(),delete L[R])}}}function uw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
-(i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,Me,Ge,Ze,le){le===!0&&(ge*=Ze,Me*=Ze,Ge*=Ze),re.set(ge,Me,Ge,Ze),we.equals(re)===
-!1&&(i.clearColor(ge,Me,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(Me){
-if(re!==Me){let Ge=e.get("EXT_clip_control");Me?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
-re=Me;let Ze=ge;ge=null,this.setClear(Ze)}},getReversed:function(){return re},setTest:function(Me){Me?be(i.DEPTH_TEST):He(i.DEPTH_TEST)},setMask:function(Me){ne!==
-Me&&!O&&(i.depthMask(Me),ne=Me)},setFunc:function(Me){if(re&&(Me=Ym[Me]),we!==Me){switch(Me){case xl:i.depthFunc(i.NEVER);break;case yl:i.depthFunc(i.ALWAYS);break;case vl:
-i.depthFunc(i.LESS);break;case qr:i.depthFunc(i.LEQUAL);break;case Ml:i.depthFunc(i.EQUAL);break;case bl:i.depthFunc(i.GEQUAL);break;case Sl:i.depthFunc(i.GREATER);
-break;case wl:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=Me}},setLocked:function(Me){O=Me},setClear:function(Me){ge!==Me&&(ge=Me,re&&(Me=1-Me),
-i.clearDepth(Me))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let O=!1,re=null,ne=null,we=null,ge=null,Me=null,Ge=null,Ze=null,le=null;return{
-setTest:function(Oe){O||(Oe?be(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
-Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(Me!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),Me=Oe,Ge=Je,Ze=
-Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,Me=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,m=[],y=null,p=!1,g=null,_=null,S=null,M=null,C=null,T=null,x=null,
-b=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===so&&x(W,M),W.needsUpdate=!1}g=this.type,
+m.needsUpdate=!1,i.setRenderTarget(P,R,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
+VSM_SAMPLES=S.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),S.mapPass===null?S.mapPass=new ti(s.x,s.y,{format:Fs,type:Si}):(S.mapPass.width!==S.map.width||S.mapPass.
+height!==S.map.height)&&S.mapPass.setSize(S.map.width,S.map.height),h.uniforms.shadow_pass.value=S.map.depthTexture,h.uniforms.resolution.value.set(S.map.width,
+S.map.height),h.uniforms.radius.value=S.radius,i.setRenderTarget(S.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=S.mapPass.
+texture,f.uniforms.resolution.value.set(S.map.width,S.map.height),f.uniforms.radius.value=S.radius,i.setRenderTarget(S.map),i.clear(),i.renderBufferDirect(_,null,
+M,f,y,null)}function w(S,_,M,P){let R=null,I=M.isPointLight===!0?S.customDistanceMaterial:S.customDepthMaterial;if(I!==void 0)R=I;else if(R=M.isPointLight===!0?
+l:a,i.localClippingEnabled&&_.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&
+_.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let F=R.uuid,z=_.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=R.clone(),D[z]=G,_.
+addEventListener("dispose",C)),R=G}if(R.visible=_.visible,R.wireframe=_.wireframe,P===so?R.side=_.shadowSide!==null?_.shadowSide:_.side:R.side=_.shadowSide!==null?
+_.shadowSide:u[_.side],R.alphaMap=_.alphaMap,R.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,R.map=_.map,R.clipShadows=_.clipShadows,R.clippingPlanes=_.clippingPlanes,
+R.clipIntersection=_.clipIntersection,R.displacementMap=_.displacementMap,R.displacementScale=_.displacementScale,R.displacementBias=_.displacementBias,R.wireframeLinewidth=
+_.wireframeLinewidth,R.linewidth=_.linewidth,M.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=M}return R}function b(S,_,M,P,R,I){
+if(S.visible===!1)return;if(S.layers.test(R)&&(S.isMesh||S.isLine||S.isPoints)&&(S.castShadow||S.receiveShadow&&I===so)&&(!S.frustumCulled||S.intersectsFrustum(
+n))){S.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,S.matrixWorld);let D=e.update(S),G=S.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
+length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=w(S,Q,P,I);S.onBeforeShadow(i,S,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,S,K),S.onAfterShadow(
+i,S,_,M,D,se,K)}}}else if(G.visible){let Y=w(S,G,P,I);S.onBeforeShadow(i,S,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,S,null),S.onAfterShadow(i,S,_,M,D,Y,null)}}
+let z=S.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,P,R,I)}function C(S){S.target.removeEventListener("dispose",C);for(let M in c){let P=c[M],R=S.target.
+uuid;R in P&&(P[R].dispose(),delete P[R])}}}function mw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
+(i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,be,Ge,Ze,le){le===!0&&(ge*=Ze,be*=Ze,Ge*=Ze),re.set(ge,be,Ge,Ze),we.equals(re)===
+!1&&(i.clearColor(ge,be,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){
+if(re!==be){let Ge=e.get("EXT_clip_control");be?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
+re=be;let Ze=ge;ge=null,this.setClear(Ze)}},getReversed:function(){return re},setTest:function(be){be?Me(i.DEPTH_TEST):He(i.DEPTH_TEST)},setMask:function(be){ne!==
+be&&!O&&(i.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=jm[be]),we!==be){switch(be){case xl:i.depthFunc(i.NEVER);break;case yl:i.depthFunc(i.ALWAYS);break;case vl:
+i.depthFunc(i.LESS);break;case qr:i.depthFunc(i.LEQUAL);break;case bl:i.depthFunc(i.EQUAL);break;case Ml:i.depthFunc(i.GEQUAL);break;case Sl:i.depthFunc(i.GREATER);
+break;case wl:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=be}},setLocked:function(be){O=be},setClear:function(be){ge!==be&&(ge=be,re&&(be=1-be),
+i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,Ze=null,le=null;return{
+setTest:function(Oe){O||(Oe?Me(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
+Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(be!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),be=Oe,Ge=Je,Ze=
+Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,
+M=new rt(0,0,0),P=0,R=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
-4),Me=i.createTexture();i.bindTexture(O,Me),i.texParameteri(O,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(O,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Ge=0;Ge<
+4),be=i.createTexture();i.bindTexture(O,be),i.texParameteri(O,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(O,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Ge=0;Ge<
 ne;Ge++)O===i.TEXTURE_3D||O===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+Ge,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,
-ge);return Me}let Ee={};Ee[i.TEXTURE_2D]=xe(i.TEXTURE_2D,i.TEXTURE_2D,1),Ee[i.TEXTURE_CUBE_MAP]=xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ee[i.TEXTURE_2D_ARRAY]=
-xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),be(i.DEPTH_TEST),
-o.setFunc(qr),Qt(!1),Pt(Eu),be(i.CULL_FACE),Gt(Qs);function be(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
+ge);return be}let Ee={};Ee[i.TEXTURE_2D]=xe(i.TEXTURE_2D,i.TEXTURE_2D,1),Ee[i.TEXTURE_CUBE_MAP]=xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ee[i.TEXTURE_2D_ARRAY]=
+xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(i.DEPTH_TEST),
+o.setFunc(qr),Qt(!1),Pt(Cu),Me(i.CULL_FACE),Gt(er);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
 return h[O]!==re?(i.bindFramebuffer(O,re),h[O]=re,O===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=re),O===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ve(O,re){
-let ne=m,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let Me=0,Ge=ge.
-length;Me<Ge;Me++)ne[Me]=i.COLOR_ATTACHMENT0+Me;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return y!==
-O?(i.useProgram(O),y=O,!0):!1}let lt={[er]:i.FUNC_ADD,[gm]:i.FUNC_SUBTRACT,[_m]:i.FUNC_REVERSE_SUBTRACT};lt[xm]=i.MIN,lt[ym]=i.MAX;let et={[vm]:i.ZERO,[Mm]:i.ONE,
-[bm]:i.SRC_COLOR,[Iu]:i.SRC_ALPHA,[Cm]:i.SRC_ALPHA_SATURATE,[Am]:i.DST_COLOR,[wm]:i.DST_ALPHA,[Sm]:i.ONE_MINUS_SRC_COLOR,[Lu]:i.ONE_MINUS_SRC_ALPHA,[Em]:i.ONE_MINUS_DST_COLOR,
-[Tm]:i.ONE_MINUS_DST_ALPHA,[Rm]:i.CONSTANT_COLOR,[Pm]:i.ONE_MINUS_CONSTANT_COLOR,[Im]:i.CONSTANT_ALPHA,[Lm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,Me,Ge,Ze,le,Oe){
-if(O===Qs){p===!0&&(He(i.BLEND),p=!1);return}if(p===!1&&(be(i.BLEND),p=!0),O!==mm){if(O!==g||Oe!==R){if((_!==er||C!==er)&&(i.blendEquation(i.FUNC_ADD),_=er,C=er),
-Oe)switch(O){case so:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Cu:i.blendFunc(i.ONE,i.ONE);break;case Ru:i.blendFuncSeparate(
-i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Pu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
-id blending: ",O);break}else switch(O){case so:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Cu:i.blendFuncSeparate(
-i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Ru:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Pu:Ke("WebGLState: Mul\
-tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,M=null,T=null,x=null,b.set(0,0,0),
-L=0,g=O,R=Oe}return}ge=ge||re,Me=Me||ne,Ge=Ge||we,(re!==_||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),_=re,C=ge),(ne!==S||we!==M||Me!==T||Ge!==x)&&(i.blendFuncSeparate(
-et[ne],et[we],et[Me],et[Ge]),S=ne,M=we,T=Me,x=Ge),(Ze.equals(b)===!1||le!==L)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),b.copy(Ze),L=le),g=O,R=!1}function Ut(O,re){O.side===
-zi?He(i.CULL_FACE):be(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===so&&O.transparent===!1?Gt(Qs):Gt(O.blending,O.blendEquation,O.blendSrc,O.
+let ne=p,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let be=0,Ge=ge.
+length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return y!==
+O?(i.useProgram(O),y=O,!0):!1}let lt={[tr]:i.FUNC_ADD,[vm]:i.FUNC_SUBTRACT,[bm]:i.FUNC_REVERSE_SUBTRACT};lt[Mm]=i.MIN,lt[Sm]=i.MAX;let et={[wm]:i.ZERO,[Tm]:i.ONE,
+[Am]:i.SRC_COLOR,[Lu]:i.SRC_ALPHA,[Lm]:i.SRC_ALPHA_SATURATE,[Pm]:i.DST_COLOR,[Cm]:i.DST_ALPHA,[Em]:i.ONE_MINUS_SRC_COLOR,[Nu]:i.ONE_MINUS_SRC_ALPHA,[Im]:i.ONE_MINUS_DST_COLOR,
+[Rm]:i.ONE_MINUS_DST_ALPHA,[Nm]:i.CONSTANT_COLOR,[Dm]:i.ONE_MINUS_CONSTANT_COLOR,[Um]:i.CONSTANT_ALPHA,[Fm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
+if(O===er){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==ym){if(O!==g||Oe!==R){if((x!==tr||C!==tr)&&(i.blendEquation(i.FUNC_ADD),x=tr,C=tr),
+Oe)switch(O){case ro:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Ru:i.blendFunc(i.ONE,i.ONE);break;case Pu:i.blendFuncSeparate(
+i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Iu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
+id blending: ",O);break}else switch(O){case ro:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Ru:i.blendFuncSeparate(
+i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Pu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Iu:Ke("WebGLState: Mul\
+tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,b=null,S=null,_=null,M.set(0,0,0),
+P=0,g=O,R=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
+et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==P)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),P=le),g=O,R=!1}function Ut(O,re){O.side===
+zi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===Bn;re&&(ne=!ne),Qt(ne),O.blending===ro&&O.transparent===!1?Gt(er):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
-a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?be(i.SAMPLE_ALPHA_TO_COVERAGE):
-He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){P!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),P=O)}function Pt(O){O!==dm?(be(i.CULL_FACE),O!==F&&(O===Eu?i.cullFace(
-i.BACK):O===fm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(be(i.
-POLYGON_OFFSET_FILL),(D!==re||G!==ne)&&(D=re,G=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):He(i.POLYGON_OFFSET_FILL)}function cn(O){O?be(i.SCISSOR_TEST):
-He(i.SCISSOR_TEST)}function qt(O){O===void 0&&(O=i.TEXTURE0+Y-1),Q!==O&&(i.activeTexture(O),Q=O)}function en(O,re,ne){ne===void 0&&(Q===null?ne=i.TEXTURE0+Y-1:ne=
+a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?Me(i.SAMPLE_ALPHA_TO_COVERAGE):
+He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){I!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),I=O)}function Pt(O){O!==gm?(Me(i.CULL_FACE),O!==F&&(O===Cu?i.cullFace(
+i.BACK):O===_m?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(Me(i.
+POLYGON_OFFSET_FILL),(D!==re||G!==ne)&&(D=re,G=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):He(i.POLYGON_OFFSET_FILL)}function cn(O){O?Me(i.SCISSOR_TEST):
+He(i.SCISSOR_TEST)}function $t(O){O===void 0&&(O=i.TEXTURE0+Y-1),Q!==O&&(i.activeTexture(O),Q=O)}function en(O,re,ne){ne===void 0&&(Q===null?ne=i.TEXTURE0+Y-1:ne=
 Q);let we=se[ne];we===void 0&&(we={type:void 0,texture:void 0},se[ne]=we),(we.type!==O||we.texture!==re)&&(Q!==ne&&(i.activeTexture(ne),Q=ne),i.bindTexture(O,re||
 Ee[O]),we.type=O,we.texture=re)}function B(){let O=se[Q];O!==void 0&&O.type!==void 0&&(i.bindTexture(O.type,null),O.type=void 0,O.texture=void 0)}function Re(){
-try{i.compressedTexImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function qe(){try{i.compressedTexImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function it(){
+try{i.compressedTexImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function $e(){try{i.compressedTexImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function it(){
 try{i.texSubImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Se(){try{i.texSubImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Lt(){try{
 i.compressedTexSubImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function ze(){try{i.compressedTexSubImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Xe(){
-try{i.texStorage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function I(){try{i.texStorage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function w(){try{i.texImage2D(
-...arguments)}catch(O){Ke("WebGLState:",O)}}function q(){try{i.texImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function he(O){return u[O]!==void 0?u[O]:i.
+try{i.texStorage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function L(){try{i.texStorage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function T(){try{i.texImage2D(
+...arguments)}catch(O){Ke("WebGLState:",O)}}function $(){try{i.texImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function he(O){return u[O]!==void 0?u[O]:i.
 getParameter(O)}function oe(O,re){u[O]!==re&&(i.pixelStorei(O,re),u[O]=re)}function _e(O){ee.equals(O)===!1&&(i.scissor(O.x,O.y,O.z,O.w),ee.copy(O))}function ye(O){
 me.equals(O)===!1&&(i.viewport(O.x,O.y,O.z,O.w),me.copy(O))}function te(O,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let we=ne.get(O);we===
 void 0&&(we=i.getUniformBlockIndex(re,O.name),i.uniformBlockBinding(re,we,we),ne.set(O,we))}function ie(O,re,ne){let ge=c.get(re).get(O);l[ge]!==ne&&(i.bindBufferBase(
@@ -3249,340 +3250,340 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-m=[],y=null,p=!1,g=null,_=null,S=null,M=null,C=null,T=null,x=null,b=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
-height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:be,disable:He,bindFramebuffer:nt,
-drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:qt,
-bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:w,texImage3D:q,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
-texStorage2D:Xe,texStorage3D:I,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function dw(i,e,t,n,s,r,o){
+p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),P=0,R=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
+drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
+bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
+texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function gw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,m=new Set,y=new FinalizationRegistry(I=>m.delete(I)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function g(I,w){return p?new OffscreenCanvas(I,w):zo("canvas")}function _(I,w,q){let he=1,oe=Xe(I);if((oe.width>q||oe.height>
-q)&&(he=q/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&I instanceof HTMLCanvasElement||
-typeof ImageBitmap<"u"&&I instanceof ImageBitmap||typeof VideoFrame<"u"&&I instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=g(_e,ye));let te=w?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(I,0,0,_e,ye),$e("WebGLRenderer: Texture has been resized \
-from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in I&&$e("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
-)."),I;return I}function S(I){return I.generateMipmaps}function M(I){i.generateMipmap(I)}function C(I){return I.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:I.isWebGL3DRenderTarget?
-i.TEXTURE_3D:I.isWebGLArrayRenderTarget||I.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function T(I,w,q,he,oe,_e=!1){if(I!==null){if(i[I]!==void 0)
-return i[I];$e("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+I+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||$e("WebGLRenderer: Una\
-ble to use normalized textures without EXT_texture_norm16 extension"));let te=w;if(w===i.RED&&(q===i.FLOAT&&(te=i.R32F),q===i.HALF_FLOAT&&(te=i.R16F),q===i.UNSIGNED_BYTE&&
-(te=i.R8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),q===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),w===i.RED_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.R8UI),q===i.UNSIGNED_SHORT&&
-(te=i.R16UI),q===i.UNSIGNED_INT&&(te=i.R32UI),q===i.BYTE&&(te=i.R8I),q===i.SHORT&&(te=i.R16I),q===i.INT&&(te=i.R32I)),w===i.RG&&(q===i.FLOAT&&(te=i.RG32F),q===i.
-HALF_FLOAT&&(te=i.RG16F),q===i.UNSIGNED_BYTE&&(te=i.RG8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),q===i.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),w===i.RG_INTEGER&&(q===
-i.UNSIGNED_BYTE&&(te=i.RG8UI),q===i.UNSIGNED_SHORT&&(te=i.RG16UI),q===i.UNSIGNED_INT&&(te=i.RG32UI),q===i.BYTE&&(te=i.RG8I),q===i.SHORT&&(te=i.RG16I),q===i.INT&&
-(te=i.RG32I)),w===i.RGB_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGB8UI),q===i.UNSIGNED_SHORT&&(te=i.RGB16UI),q===i.UNSIGNED_INT&&(te=i.RGB32UI),q===i.BYTE&&(te=i.RGB8I),
-q===i.SHORT&&(te=i.RGB16I),q===i.INT&&(te=i.RGB32I)),w===i.RGBA_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),q===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),q===i.UNSIGNED_INT&&
-(te=i.RGBA32UI),q===i.BYTE&&(te=i.RGBA8I),q===i.SHORT&&(te=i.RGBA16I),q===i.INT&&(te=i.RGBA32I)),w===i.RGB&&(q===i.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),q===i.SHORT&&
-ye&&(te=ye.RGB16_SNORM_EXT),q===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),q===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),w===i.RGBA){let ie=_e?ko:_t.
-getTransfer(oe);q===i.FLOAT&&(te=i.RGBA32F),q===i.HALF_FLOAT&&(te=i.RGBA16F),q===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),q===i.UNSIGNED_SHORT&&ye&&
-(te=ye.RGBA16_EXT),q===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),q===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),q===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
-i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function x(I,w){let q;return I?w===null||w===
-bi||w===nr?q=i.DEPTH24_STENCIL8:w===hi?q=i.DEPTH32F_STENCIL8:w===oo&&(q=i.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stenc\
-il. Using 24-bit attachment.")):w===null||w===bi||w===nr?q=i.DEPTH_COMPONENT24:w===hi?q=i.DEPTH_COMPONENT32F:w===oo&&(q=i.DEPTH_COMPONENT16),q}function b(I,w){return S(
-I)===!0||I.isFramebufferTexture&&I.minFilter!==bn&&I.minFilter!==On?Math.log2(Math.max(w.width,w.height))+1:I.mipmaps.length>0?I.mipmaps.length:I.isCompressedTexture&&
-Array.isArray(I.image)?w.mipmaps.length:1}function L(I){let w=new WeakRef(I);n.get(I).__ref=w,m.add(w),y.register(I,w,w)}function R(I){let w=n.get(I).__ref;w!==
-void 0&&(m.delete(w),y.unregister(w))}function P(I){z(I.target)}function F(I){D(I.target)}function z(I){I.removeEventListener("dispose",P),R(I),Y(I),I.isVideoTexture&&
-d.delete(I),I.isHTMLTexture&&u.delete(I)}function D(I){I.removeEventListener("dispose",F),R(I),ce(I)}function G(){for(let I of m){let w=I.deref();w!==void 0&&(w.
-isRenderTarget===!0?D(w):z(w))}m.clear(),u.clear()}function Y(I){let w=n.get(I);if(w.__webglInit===void 0)return;let q=I.source,he=f.get(q);if(he){let oe=he[w.__cacheKey];
-oe.usedTimes--,oe.usedTimes===0&&W(I),Object.keys(he).length===0&&f.delete(q)}n.remove(I)}function W(I){let w=n.get(I);i.deleteTexture(w.__webglTexture);let q=I.
-source,he=f.get(q);delete he[w.__cacheKey],o.memory.textures--}function ce(I){let w=n.get(I);w.__depthDisposeCallback&&w.__depthDisposeCallback();let q=I.depthTexture;
-if(q&&q.renderTarget===I&&z(q),I.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(w.__webglFramebuffer[oe]))for(let _e=0;_e<w.__webglFramebuffer[oe].
-length;_e++)i.deleteFramebuffer(w.__webglFramebuffer[oe][_e]);else i.deleteFramebuffer(w.__webglFramebuffer[oe]);w.__webglDepthbuffer&&i.deleteRenderbuffer(w.__webglDepthbuffer[oe])}else{
-if(Array.isArray(w.__webglFramebuffer))for(let oe=0;oe<w.__webglFramebuffer.length;oe++)i.deleteFramebuffer(w.__webglFramebuffer[oe]);else i.deleteFramebuffer(w.
-__webglFramebuffer);if(w.__webglDepthbuffer&&i.deleteRenderbuffer(w.__webglDepthbuffer),w.__webglMultisampledFramebuffer&&i.deleteFramebuffer(w.__webglMultisampledFramebuffer),
-w.__webglColorRenderbuffer)for(let oe=0;oe<w.__webglColorRenderbuffer.length;oe++)w.__webglColorRenderbuffer[oe]&&i.deleteRenderbuffer(w.__webglColorRenderbuffer[oe]);
-w.__webglDepthRenderbuffer&&i.deleteRenderbuffer(w.__webglDepthRenderbuffer)}let he=I.textures;for(let oe=0,_e=he.length;oe<_e;oe++){let ye=n.get(he[oe]);ye.__webglTexture&&
-(i.deleteTexture(ye.__webglTexture),o.memory.textures--),n.remove(he[oe])}n.remove(I)}let K=0;function Q(){K=0}function se(){return K}function de(I){K=I}function ue(){
-let I=K;return I>=s.maxTextures&&$e("WebGLTextures: Trying to use "+(I+1)+" texture units while this GPU supports only "+s.maxTextures),K+=1,I}function ee(I){let w=[];
-return w.push(I.wrapS),w.push(I.wrapT),w.push(I.wrapR||0),w.push(I.magFilter),w.push(I.minFilter),w.push(I.anisotropy),w.push(I.internalFormat),w.push(I.format),
-w.push(I.type),w.push(I.generateMipmaps),w.push(I.mipmapsAutoUpdate),w.push(I.premultiplyAlpha),w.push(I.flipY),w.push(I.unpackAlignment),w.push(I.colorSpace),w.
-join()}function me(I,w){let q=n.get(I);if(I.isVideoTexture&&Lt(I),I.isRenderTargetTexture===!1&&I.isExternalTexture!==!0&&I.version>0&&q.__version!==I.version){
-let he=I.image;if(he===null)$e("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)$e("WebGLRenderer: Texture marked f\
-or update but image is incomplete");else{Ut(q,I,w);return}}else I.isExternalTexture&&(q.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,
-q.__webglTexture,i.TEXTURE0+w)}function xe(I,w){let q=n.get(I);if(I.isRenderTargetTexture===!1&&I.version>0&&q.__version!==I.version){Ut(q,I,w);return}else I.isExternalTexture&&
-(q.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,q.__webglTexture,i.TEXTURE0+w)}function Ee(I,w){let q=n.get(I);if(I.isRenderTargetTexture===
-!1&&I.version>0&&q.__version!==I.version){Ut(q,I,w);return}t.bindTexture(i.TEXTURE_3D,q.__webglTexture,i.TEXTURE0+w)}function be(I,w){let q=n.get(I);if(I.version>
-0&&q.__version!==I.version){Qt(q,I,w);return}t.bindTexture(i.TEXTURE_CUBE_MAP,q.__webglTexture,i.TEXTURE0+w)}let He={[Tl]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Al]:i.MIRRORED_REPEAT},
-nt={[bn]:i.NEAREST,[Um]:i.NEAREST_MIPMAP_NEAREST,[ua]:i.NEAREST_MIPMAP_LINEAR,[On]:i.LINEAR,[tc]:i.LINEAR_MIPMAP_NEAREST,[hs]:i.LINEAR_MIPMAP_LINEAR},Ve={[km]:i.
-NEVER,[Zu]:i.ALWAYS,[zm]:i.LESS,[$u]:i.LEQUAL,[Vm]:i.EQUAL,[Yu]:i.GEQUAL,[Gm]:i.GREATER,[Hm]:i.NOTEQUAL};function ut(I,w){if(w.type===hi&&e.has("OES_texture_flo\
-at_linear")===!1&&(w.magFilter===On||w.magFilter===tc||w.magFilter===ua||w.magFilter===hs||w.minFilter===On||w.minFilter===tc||w.minFilter===ua||w.minFilter===hs)&&
-$e("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(I,i.TEXTURE_WRAP_S,
-He[w.wrapS]),i.texParameteri(I,i.TEXTURE_WRAP_T,He[w.wrapT]),(I===i.TEXTURE_3D||I===i.TEXTURE_2D_ARRAY)&&i.texParameteri(I,i.TEXTURE_WRAP_R,He[w.wrapR]),i.texParameteri(
-I,i.TEXTURE_MAG_FILTER,nt[w.magFilter]),i.texParameteri(I,i.TEXTURE_MIN_FILTER,nt[w.minFilter]),w.compareFunction&&(i.texParameteri(I,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
-i.texParameteri(I,i.TEXTURE_COMPARE_FUNC,Ve[w.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(w.magFilter===bn||w.minFilter!==ua&&w.minFilter!==
-hs||w.type===hi&&e.has("OES_texture_float_linear")===!1)return;if(w.anisotropy>1||n.get(w).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");i.
-texParameterf(I,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(w.anisotropy,s.getMaxAnisotropy())),n.get(w).__currentAnisotropy=w.anisotropy}}}function lt(I,w){let q=!1;
-I.__webglInit===void 0&&(I.__webglInit=!0,w.addEventListener("dispose",P),L(w));let he=w.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(w);if(_e!==
-I.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[_e].usedTimes++;let ye=oe[I.__cacheKey];ye!==void 0&&
-(oe[I.__cacheKey].usedTimes--,ye.usedTimes===0&&W(w)),I.__cacheKey=_e,I.__webglTexture=oe[_e].texture}return q}function et(I,w,q){return Math.floor(Math.floor(I/
-q)/w)}function Gt(I,w,q,he){let _e=I.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,w.width,w.height,q,he,w.data);else{_e.sort((O,re)=>O.start-
-re.start);let ye=0;for(let O=1;O<_e.length;O++){let re=_e[ye],ne=_e[O],we=re.start+re.count,ge=et(ne.start,w.width,4),Me=et(re.start,w.width,4);ne.start<=we+1&&
-ge===Me&&et(ne.start+ne.count-1,w.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ye,_e[ye]=ne)}_e.length=ye+1;let te=t.getParameter(i.UNPACK_ROW_LENGTH),
-ie=t.getParameter(i.UNPACK_SKIP_PIXELS),pe=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,w.width);for(let O=0,re=_e.length;O<re;O++){let ne=_e[O],
-we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),Me=we%w.width,Ge=Math.floor(we/w.width),Ze=ge,le=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,Me),t.pixelStorei(i.UNPACK_SKIP_ROWS,
-Ge),t.texSubImage2D(i.TEXTURE_2D,0,Me,Ge,Ze,le,q,he,w.data)}I.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ie),t.
-pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(I,w,q){let he=i.TEXTURE_2D;(w.isDataArrayTexture||w.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),w.isData3DTexture&&
-(he=i.TEXTURE_3D);let oe=lt(I,w),_e=w.source;t.bindTexture(he,I.__webglTexture,i.TEXTURE0+q);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
-i.TEXTURE0+q),(typeof ImageBitmap<"u"&&w.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=w.colorSpace===ds?null:_t.getPrimaries(
-w.colorSpace),Je=w.colorSpace===ds||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
-w.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment);let ie=_(w.image,!1,s.maxTextureSize);
-ie=ze(w,ie);let pe=r.convert(w.format,w.colorSpace),O=r.convert(w.type),re=T(w.internalFormat,pe,O,w.normalized,w.colorSpace,w.isVideoTexture);ut(he,w);let ne,we=w.
-mipmaps,ge=w.isVideoTexture!==!0,Me=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=b(w,ie);if(w.isDepthTexture)re=x(w.format===us,w.type),Me&&(ge?t.texStorage2D(
-i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(w.isDataTexture)if(we.length>0){ge&&Me&&t.texStorage2D(
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Go("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
+$)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||
+typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
+void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
+from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in L&&qe("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
+)."),L;return L}function w(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
+i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function S(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
+return i[L];qe("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+L+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||qe("WebGLRenderer: Una\
+ble to use normalized textures without EXT_texture_norm16 extension"));let te=T;if(T===i.RED&&($===i.FLOAT&&(te=i.R32F),$===i.HALF_FLOAT&&(te=i.R16F),$===i.UNSIGNED_BYTE&&
+(te=i.R8),$===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),$===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),T===i.RED_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.R8UI),$===i.UNSIGNED_SHORT&&
+(te=i.R16UI),$===i.UNSIGNED_INT&&(te=i.R32UI),$===i.BYTE&&(te=i.R8I),$===i.SHORT&&(te=i.R16I),$===i.INT&&(te=i.R32I)),T===i.RG&&($===i.FLOAT&&(te=i.RG32F),$===i.
+HALF_FLOAT&&(te=i.RG16F),$===i.UNSIGNED_BYTE&&(te=i.RG8),$===i.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),$===i.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),T===i.RG_INTEGER&&($===
+i.UNSIGNED_BYTE&&(te=i.RG8UI),$===i.UNSIGNED_SHORT&&(te=i.RG16UI),$===i.UNSIGNED_INT&&(te=i.RG32UI),$===i.BYTE&&(te=i.RG8I),$===i.SHORT&&(te=i.RG16I),$===i.INT&&
+(te=i.RG32I)),T===i.RGB_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.RGB8UI),$===i.UNSIGNED_SHORT&&(te=i.RGB16UI),$===i.UNSIGNED_INT&&(te=i.RGB32UI),$===i.BYTE&&(te=i.RGB8I),
+$===i.SHORT&&(te=i.RGB16I),$===i.INT&&(te=i.RGB32I)),T===i.RGBA_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),$===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),$===i.UNSIGNED_INT&&
+(te=i.RGBA32UI),$===i.BYTE&&(te=i.RGBA8I),$===i.SHORT&&(te=i.RGBA16I),$===i.INT&&(te=i.RGBA32I)),T===i.RGB&&($===i.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),$===i.SHORT&&
+ye&&(te=ye.RGB16_SNORM_EXT),$===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),$===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),T===i.RGBA){let ie=_e?Vo:_t.
+getTransfer(oe);$===i.FLOAT&&(te=i.RGBA32F),$===i.HALF_FLOAT&&(te=i.RGBA16F),$===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),$===i.UNSIGNED_SHORT&&ye&&
+(te=ye.RGBA16_EXT),$===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),$===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),$===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
+i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function _(L,T){let $;return L?T===null||T===
+Mi||T===ir?$=i.DEPTH24_STENCIL8:T===ui?$=i.DEPTH32F_STENCIL8:T===ao&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
+il. Using 24-bit attachment.")):T===null||T===Mi||T===ir?$=i.DEPTH_COMPONENT24:T===ui?$=i.DEPTH_COMPONENT32F:T===ao&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return w(
+L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==Fn?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
+Array.isArray(L.image)?T.mipmaps.length:1}function P(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),y.register(L,T,T)}function R(L){let T=n.get(L).__ref;T!==
+void 0&&(p.delete(T),y.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),R(L),Y(L),L.isVideoTexture&&
+d.delete(L),L.isHTMLTexture&&u.delete(L)}function D(L){L.removeEventListener("dispose",F),R(L),ce(L)}function G(){for(let L of p){let T=L.deref();T!==void 0&&(T.
+isRenderTarget===!0?D(T):z(T))}p.clear(),u.clear()}function Y(L){let T=n.get(L);if(T.__webglInit===void 0)return;let $=L.source,he=f.get($);if(he){let oe=he[T.__cacheKey];
+oe.usedTimes--,oe.usedTimes===0&&W(L),Object.keys(he).length===0&&f.delete($)}n.remove(L)}function W(L){let T=n.get(L);i.deleteTexture(T.__webglTexture);let $=L.
+source,he=f.get($);delete he[T.__cacheKey],o.memory.textures--}function ce(L){let T=n.get(L);T.__depthDisposeCallback&&T.__depthDisposeCallback();let $=L.depthTexture;
+if($&&$.renderTarget===L&&z($),L.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(T.__webglFramebuffer[oe]))for(let _e=0;_e<T.__webglFramebuffer[oe].
+length;_e++)i.deleteFramebuffer(T.__webglFramebuffer[oe][_e]);else i.deleteFramebuffer(T.__webglFramebuffer[oe]);T.__webglDepthbuffer&&i.deleteRenderbuffer(T.__webglDepthbuffer[oe])}else{
+if(Array.isArray(T.__webglFramebuffer))for(let oe=0;oe<T.__webglFramebuffer.length;oe++)i.deleteFramebuffer(T.__webglFramebuffer[oe]);else i.deleteFramebuffer(T.
+__webglFramebuffer);if(T.__webglDepthbuffer&&i.deleteRenderbuffer(T.__webglDepthbuffer),T.__webglMultisampledFramebuffer&&i.deleteFramebuffer(T.__webglMultisampledFramebuffer),
+T.__webglColorRenderbuffer)for(let oe=0;oe<T.__webglColorRenderbuffer.length;oe++)T.__webglColorRenderbuffer[oe]&&i.deleteRenderbuffer(T.__webglColorRenderbuffer[oe]);
+T.__webglDepthRenderbuffer&&i.deleteRenderbuffer(T.__webglDepthRenderbuffer)}let he=L.textures;for(let oe=0,_e=he.length;oe<_e;oe++){let ye=n.get(he[oe]);ye.__webglTexture&&
+(i.deleteTexture(ye.__webglTexture),o.memory.textures--),n.remove(he[oe])}n.remove(L)}let K=0;function Q(){K=0}function se(){return K}function de(L){K=L}function ue(){
+let L=K;return L>=s.maxTextures&&qe("WebGLTextures: Trying to use "+(L+1)+" texture units while this GPU supports only "+s.maxTextures),K+=1,L}function ee(L){let T=[];
+return T.push(L.wrapS),T.push(L.wrapT),T.push(L.wrapR||0),T.push(L.magFilter),T.push(L.minFilter),T.push(L.anisotropy),T.push(L.internalFormat),T.push(L.format),
+T.push(L.type),T.push(L.generateMipmaps),T.push(L.mipmapsAutoUpdate),T.push(L.premultiplyAlpha),T.push(L.flipY),T.push(L.unpackAlignment),T.push(L.colorSpace),T.
+join()}function me(L,T){let $=n.get(L);if(L.isVideoTexture&&Lt(L),L.isRenderTargetTexture===!1&&L.isExternalTexture!==!0&&L.version>0&&$.__version!==L.version){
+let he=L.image;if(he===null)qe("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)qe("WebGLRenderer: Texture marked f\
+or update but image is incomplete");else{Ut($,L,T);return}}else L.isExternalTexture&&($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,
+$.__webglTexture,i.TEXTURE0+T)}function xe(L,T){let $=n.get(L);if(L.isRenderTargetTexture===!1&&L.version>0&&$.__version!==L.version){Ut($,L,T);return}else L.isExternalTexture&&
+($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,$.__webglTexture,i.TEXTURE0+T)}function Ee(L,T){let $=n.get(L);if(L.isRenderTargetTexture===
+!1&&L.version>0&&$.__version!==L.version){Ut($,L,T);return}t.bindTexture(i.TEXTURE_3D,$.__webglTexture,i.TEXTURE0+T)}function Me(L,T){let $=n.get(L);if(L.version>
+0&&$.__version!==L.version){Qt($,L,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,$.__webglTexture,i.TEXTURE0+T)}let He={[Tl]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Al]:i.MIRRORED_REPEAT},
+nt={[Mn]:i.NEAREST,[km]:i.NEAREST_MIPMAP_NEAREST,[fa]:i.NEAREST_MIPMAP_LINEAR,[Fn]:i.LINEAR,[tc]:i.LINEAR_MIPMAP_NEAREST,[hs]:i.LINEAR_MIPMAP_LINEAR},Ve={[Hm]:i.
+NEVER,[Ju]:i.ALWAYS,[Wm]:i.LESS,[Yu]:i.LEQUAL,[Xm]:i.EQUAL,[Zu]:i.GEQUAL,[$m]:i.GREATER,[qm]:i.NOTEQUAL};function ut(L,T){if(T.type===ui&&e.has("OES_texture_flo\
+at_linear")===!1&&(T.magFilter===Fn||T.magFilter===tc||T.magFilter===fa||T.magFilter===hs||T.minFilter===Fn||T.minFilter===tc||T.minFilter===fa||T.minFilter===hs)&&
+qe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(L,i.TEXTURE_WRAP_S,
+He[T.wrapS]),i.texParameteri(L,i.TEXTURE_WRAP_T,He[T.wrapT]),(L===i.TEXTURE_3D||L===i.TEXTURE_2D_ARRAY)&&i.texParameteri(L,i.TEXTURE_WRAP_R,He[T.wrapR]),i.texParameteri(
+L,i.TEXTURE_MAG_FILTER,nt[T.magFilter]),i.texParameteri(L,i.TEXTURE_MIN_FILTER,nt[T.minFilter]),T.compareFunction&&(i.texParameteri(L,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
+i.texParameteri(L,i.TEXTURE_COMPARE_FUNC,Ve[T.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(T.magFilter===Mn||T.minFilter!==fa&&T.minFilter!==
+hs||T.type===ui&&e.has("OES_texture_float_linear")===!1)return;if(T.anisotropy>1||n.get(T).__currentAnisotropy){let $=e.get("EXT_texture_filter_anisotropic");i.
+texParameterf(L,$.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(T.anisotropy,s.getMaxAnisotropy())),n.get(T).__currentAnisotropy=T.anisotropy}}}function lt(L,T){let $=!1;
+L.__webglInit===void 0&&(L.__webglInit=!0,T.addEventListener("dispose",I),P(T));let he=T.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(T);if(_e!==
+L.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,$=!0),oe[_e].usedTimes++;let ye=oe[L.__cacheKey];ye!==void 0&&
+(oe[L.__cacheKey].usedTimes--,ye.usedTimes===0&&W(T)),L.__cacheKey=_e,L.__webglTexture=oe[_e].texture}return $}function et(L,T,$){return Math.floor(Math.floor(L/
+$)/T)}function Gt(L,T,$,he){let _e=L.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,T.width,T.height,$,he,T.data);else{_e.sort((O,re)=>O.start-
+re.start);let ye=0;for(let O=1;O<_e.length;O++){let re=_e[ye],ne=_e[O],we=re.start+re.count,ge=et(ne.start,T.width,4),be=et(re.start,T.width,4);ne.start<=we+1&&
+ge===be&&et(ne.start+ne.count-1,T.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ye,_e[ye]=ne)}_e.length=ye+1;let te=t.getParameter(i.UNPACK_ROW_LENGTH),
+ie=t.getParameter(i.UNPACK_SKIP_PIXELS),pe=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,T.width);for(let O=0,re=_e.length;O<re;O++){let ne=_e[O],
+we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),be=we%T.width,Ge=Math.floor(we/T.width),Ze=ge,le=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,be),t.pixelStorei(i.UNPACK_SKIP_ROWS,
+Ge),t.texSubImage2D(i.TEXTURE_2D,0,be,Ge,Ze,le,$,he,T.data)}L.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ie),t.
+pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(L,T,$){let he=i.TEXTURE_2D;(T.isDataArrayTexture||T.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),T.isData3DTexture&&
+(he=i.TEXTURE_3D);let oe=lt(L,T),_e=T.source;t.bindTexture(he,L.__webglTexture,i.TEXTURE0+$);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
+i.TEXTURE0+$),(typeof ImageBitmap<"u"&&T.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=T.colorSpace===ds?null:_t.getPrimaries(
+T.colorSpace),Je=T.colorSpace===ds||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
+T.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment);let ie=x(T.image,!1,s.maxTextureSize);
+ie=ze(T,ie);let pe=r.convert(T.format,T.colorSpace),O=r.convert(T.type),re=S(T.internalFormat,pe,O,T.normalized,T.colorSpace,T.isVideoTexture);ut(he,T);let ne,we=T.
+mipmaps,ge=T.isVideoTexture!==!0,be=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=M(T,ie);if(T.isDepthTexture)re=_(T.format===us,T.type),be&&(ge?t.texStorage2D(
+i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(T.isDataTexture)if(we.length>0){ge&&be&&t.texStorage2D(
 i.TEXTURE_2D,Ze,re,we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.
-data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,ne.data);w.generateMipmaps=!1}else ge?(Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height),
-Ge&&Gt(w,ie,pe,O)):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,ie.data);else if(w.isCompressedTexture)if(w.isCompressedArrayTexture){ge&&Me&&t.texStorage3D(
-i.TEXTURE_2D_ARRAY,Ze,re,we[0].width,we[0].height,ie.depth);for(let le=0,Oe=we.length;le<Oe;le++)if(ne=we[le],w.format!==wi)if(pe!==null)if(ge){if(Ge)if(w.layerUpdates.
-size>0){let Je=nd(ne.width,ne.height,w.format,w.type);for(let Ce of w.layerUpdates){let ot=ne.data.subarray(Ce*Je/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Je/ne.data.BYTES_PER_ELEMENT);
+data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,ne.data);T.generateMipmaps=!1}else ge?(be&&t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height),
+Ge&&Gt(T,ie,pe,O)):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,ie.data);else if(T.isCompressedTexture)if(T.isCompressedArrayTexture){ge&&be&&t.texStorage3D(
+i.TEXTURE_2D_ARRAY,Ze,re,we[0].width,we[0].height,ie.depth);for(let le=0,Oe=we.length;le<Oe;le++)if(ne=we[le],T.format!==wi)if(pe!==null)if(ge){if(Ge)if(T.layerUpdates.
+size>0){let Je=id(ne.width,ne.height,T.format,T.type);for(let Ce of T.layerUpdates){let ot=ne.data.subarray(Ce*Je/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Je/ne.data.BYTES_PER_ELEMENT);
 t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,Ce,ne.width,ne.height,1,pe,ot)}}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,
-ie.depth,pe,ne.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,ne.data,0,0);else $e("WebGLRenderer: Attempt to load uns\
+ie.depth,pe,ne.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,ne.data,0,0);else qe("WebGLRenderer: Attempt to load uns\
 upported compressed texture format in .uploadTexture()");else ge?Ge&&t.texSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,ie.depth,pe,O,ne.data):t.texImage3D(
-i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,pe,O,ne.data);w.layerUpdates.size>0&&w.clearLayerUpdates()}else{ge&&Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,
-we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],w.format!==wi?pe!==null?ge?Ge&&t.compressedTexSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.
-height,pe,ne.data):t.compressedTexImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,ne.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture for\
+i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,pe,O,ne.data);T.layerUpdates.size>0&&T.clearLayerUpdates()}else{ge&&be&&t.texStorage2D(i.TEXTURE_2D,Ze,re,
+we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],T.format!==wi?pe!==null?ge?Ge&&t.compressedTexSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.
+height,pe,ne.data):t.compressedTexImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,ne.data):qe("WebGLRenderer: Attempt to load unsupported compressed texture for\
 mat in .uploadTexture()"):ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,
-ne.data)}else if(w.isDataArrayTexture)if(ge){if(Me&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Ze,re,ie.width,ie.height,ie.depth),Ge)if(w.layerUpdates.size>0){let le=nd(
-ie.width,ie.height,w.format,w.type);for(let Oe of w.layerUpdates){let Je=ie.data.subarray(Oe*le/ie.data.BYTES_PER_ELEMENT,(Oe+1)*le/ie.data.BYTES_PER_ELEMENT);t.
-texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Oe,ie.width,ie.height,1,pe,O,Je)}w.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,
-ie.depth,pe,O,ie.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,re,ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(w.isData3DTexture)ge?(Me&&t.texStorage3D(i.
+ne.data)}else if(T.isDataArrayTexture)if(ge){if(be&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Ze,re,ie.width,ie.height,ie.depth),Ge)if(T.layerUpdates.size>0){let le=id(
+ie.width,ie.height,T.format,T.type);for(let Oe of T.layerUpdates){let Je=ie.data.subarray(Oe*le/ie.data.BYTES_PER_ELEMENT,(Oe+1)*le/ie.data.BYTES_PER_ELEMENT);t.
+texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Oe,ie.width,ie.height,1,pe,O,Je)}T.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,
+ie.depth,pe,O,ie.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,re,ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(T.isData3DTexture)ge?(be&&t.texStorage3D(i.
 TEXTURE_3D,Ze,re,ie.width,ie.height,ie.depth),Ge&&t.texSubImage3D(i.TEXTURE_3D,0,0,0,0,ie.width,ie.height,ie.depth,pe,O,ie.data)):t.texImage3D(i.TEXTURE_3D,0,re,
-ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(w.isFramebufferTexture){if(Me)if(ge)t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height);else{let le=ie.width,
-Oe=ie.height;for(let Je=0;Je<Ze;Je++)t.texImage2D(i.TEXTURE_2D,Je,re,le,Oe,0,pe,O,null),le>>=1,Oe>>=1}}else if(w.isHTMLTexture){if("texElementImage2D"in i){let le=i.
-canvas;if(le.hasAttribute("layoutsubtree")||le.setAttribute("layoutsubtree","true"),ie.parentNode!==le){le.appendChild(ie),u.add(w),le.onpaint=Oe=>{let Je=Oe.changedElements;
+ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(T.isFramebufferTexture){if(be)if(ge)t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height);else{let le=ie.width,
+Oe=ie.height;for(let Je=0;Je<Ze;Je++)t.texImage2D(i.TEXTURE_2D,Je,re,le,Oe,0,pe,O,null),le>>=1,Oe>>=1}}else if(T.isHTMLTexture){if("texElementImage2D"in i){let le=i.
+canvas;if(le.hasAttribute("layoutsubtree")||le.setAttribute("layoutsubtree","true"),ie.parentNode!==le){le.appendChild(ie),u.add(T),le.onpaint=Oe=>{let Je=Oe.changedElements;
 for(let Ce of u)Je.includes(Ce.image)&&(Ce.needsUpdate=!0)},le.requestPaint();return}if(i.texElementImage2D.length===3)i.texElementImage2D(i.TEXTURE_2D,i.RGBA8,
 ie);else{let Je=i.RGBA,Ce=i.RGBA,ot=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTURE_2D,0,Je,Ce,ot,ie)}i.texParameteri(i.TEXTURE_2D,i.TEXTURE_MIN_FILTER,i.LINEAR),
-i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&Me){let le=Xe(
+i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&be){let le=Xe(
 we[0]);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,pe,O,ne):
-t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);w.generateMipmaps=!1}else if(ge){if(Me){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
-i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);S(w)&&w.mipmapsAutoUpdate===!0&&M(he),ye.__version=_e.version,w.onUpdate&&w.onUpdate(w)}
-I.__version=w.version}function Qt(I,w,q){if(w.image.length!==6)return;let he=lt(I,w),oe=w.source;t.bindTexture(i.TEXTURE_CUBE_MAP,I.__webglTexture,i.TEXTURE0+q);
-let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+q);let ye=_t.getPrimaries(_t.workingColorSpace),te=w.colorSpace===ds?null:_t.
-getPrimaries(w.colorSpace),ie=w.colorSpace===ds||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
-w.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=w.isCompressedTexture||w.image[0].
-isCompressedTexture,O=w.image[0]&&w.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=_(w.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?w.image[Ce].image:
-w.image[Ce],re[Ce]=ze(w,re[Ce]);let ne=re[0],we=r.convert(w.format,w.colorSpace),ge=r.convert(w.type),Me=T(w.internalFormat,we,ge,w.normalized,w.colorSpace),Ge=w.
-isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=b(w,ne);ut(i.TEXTURE_CUBE_MAP,w);let Je;if(w.isDepthTexture){if(Me=x(w.format===us,w.type),
-Ze)if(Ge)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,Me,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,ne.width,ne.height,
-0,we,ge,null)}else if(pe){Ge&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Je=re[Ce].mipmaps;for(let ot=0;ot<Je.length;ot++){
-let Ft=Je[ot];w.format!==wi?we!==null?Ge?le&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,Ft.data):t.compressedTexImage2D(
-i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,Me,Ft.width,Ft.height,0,Ft.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube\
-()"):Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,ge,Ft.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,Me,Ft.width,
-Ft.height,0,we,ge,Ft.data)}}}else{if(Je=w.mipmaps,Ge&&Ze){Je.length>0&&Oe++;let Ce=Xe(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,Ce.width,Ce.height)}for(let Ce=0;Ce<
+t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);T.generateMipmaps=!1}else if(ge){if(be){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
+i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);w(T)&&T.mipmapsAutoUpdate===!0&&b(he),ye.__version=_e.version,T.onUpdate&&T.onUpdate(T)}
+L.__version=T.version}function Qt(L,T,$){if(T.image.length!==6)return;let he=lt(L,T),oe=T.source;t.bindTexture(i.TEXTURE_CUBE_MAP,L.__webglTexture,i.TEXTURE0+$);
+let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+$);let ye=_t.getPrimaries(_t.workingColorSpace),te=T.colorSpace===ds?null:_t.
+getPrimaries(T.colorSpace),ie=T.colorSpace===ds||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
+T.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=T.isCompressedTexture||T.image[0].
+isCompressedTexture,O=T.image[0]&&T.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=x(T.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?T.image[Ce].image:
+T.image[Ce],re[Ce]=ze(T,re[Ce]);let ne=re[0],we=r.convert(T.format,T.colorSpace),ge=r.convert(T.type),be=S(T.internalFormat,we,ge,T.normalized,T.colorSpace),Ge=T.
+isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=M(T,ne);ut(i.TEXTURE_CUBE_MAP,T);let Je;if(T.isDepthTexture){if(be=_(T.format===us,T.type),
+Ze)if(Ge)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,be,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,ne.width,ne.height,
+0,we,ge,null)}else if(pe){Ge&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Je=re[Ce].mipmaps;for(let ot=0;ot<Je.length;ot++){
+let Ft=Je[ot];T.format!==wi?we!==null?Ge?le&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,Ft.data):t.compressedTexImage2D(
+i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,be,Ft.width,Ft.height,0,Ft.data):qe("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube\
+()"):Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,ge,Ft.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,be,Ft.width,
+Ft.height,0,we,ge,Ft.data)}}}else{if(Je=T.mipmaps,Ge&&Ze){Je.length>0&&Oe++;let Ce=Xe(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,Ce.width,Ce.height)}for(let Ce=0;Ce<
 6;Ce++)if(O){Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,re[Ce].width,re[Ce].height,we,ge,re[Ce].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,0,Me,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let Pn=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,ot+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,Me,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
-i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
-Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,Me,we,ge,Ft.image[Ce])}}}
-S(w)&&w.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,w.onUpdate&&w.onUpdate(w)}I.__version=w.version}function Pt(I,w,q,he,oe,_e){let ye=r.
-convert(q.format,q.colorSpace),te=r.convert(q.type),ie=T(q.internalFormat,ye,te,q.normalized,q.colorSpace),pe=n.get(w),O=n.get(q);if(O.__renderTarget=w,!pe.__hasExternalTextures){
-let re=Math.max(1,w.width>>_e),ne=Math.max(1,w.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,w.depth,0,ye,te,null):t.texImage2D(
-oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,I),Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(w)):(oe===i.
+Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let Rn=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
+Ce,ot+1,0,0,Rn.width,Rn.height,we,ge,Rn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,Rn.width,Rn.height,0,we,ge,Rn.data)}}else{Ge?le&&t.texSubImage2D(
+i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
+Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,we,ge,Ft.image[Ce])}}}
+w(T)&&T.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}L.__version=T.version}function Pt(L,T,$,he,oe,_e){let ye=r.
+convert($.format,$.colorSpace),te=r.convert($.type),ie=S($.internalFormat,ye,te,$.normalized,$.colorSpace),pe=n.get(T),O=n.get($);if(O.__renderTarget=T,!pe.__hasExternalTextures){
+let re=Math.max(1,T.width>>_e),ne=Math.max(1,T.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,T.depth,0,ye,te,null):t.texImage2D(
+oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,L),Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(T)):(oe===i.
 TEXTURE_2D||oe>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,he,oe,O.__webglTexture,_e),t.bindFramebuffer(
-i.FRAMEBUFFER,null)}function gn(I,w,q){if(i.bindRenderbuffer(i.RENDERBUFFER,I),w.depthBuffer){let he=w.depthTexture,oe=he&&he.isDepthTexture?he.type:null,_e=x(w.
-stencilBuffer,oe),ye=w.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;Se(w)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(w),_e,w.width,w.height):
-q?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(w),_e,w.width,w.height):i.renderbufferStorage(i.RENDERBUFFER,_e,w.width,w.height),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,ye,i.RENDERBUFFER,I)}else{let he=w.textures;for(let oe=0;oe<he.length;oe++){let _e=he[oe],ye=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),
-ie=T(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);Se(w)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(w),ie,w.width,w.height):q?i.renderbufferStorageMultisample(
-i.RENDERBUFFER,it(w),ie,w.width,w.height):i.renderbufferStorage(i.RENDERBUFFER,ie,w.width,w.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(I,w,q){
-let he=w.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,I),!(w.depthTexture&&w.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTexture\
-s: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(w.depthTexture);oe.__renderTarget=w;let _e=he?w.depthTexture.image[0]:w.depthTexture.
-image;(!oe.__webglTexture||_e.width!==w.width||_e.height!==w.height)&&(_e.width=w.width,_e.height=w.height,w.depthTexture.needsUpdate=!0),he?be(w.depthTexture,0):
-me(w.depthTexture,0);let ye=oe.__webglTexture,te=it(w),ie=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+q:i.TEXTURE_2D,pe=w.depthTexture.format===us?i.DEPTH_STENCIL_ATTACHMENT:
-i.DEPTH_ATTACHMENT;if(w.depthTexture.format===ss)Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,
-ie,ye,0);else if(w.depthTexture.format===us)Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,ie,ye,
-0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function cn(I){let w=n.get(I),q=I.isWebGLCubeRenderTarget===!0;if(w.__boundDepthTexture!==
-I.depthTexture){let he=I.depthTexture;if(w.__depthDisposeCallback&&w.__depthDisposeCallback(),he){let oe=()=>{delete w.__boundDepthTexture,delete w.__depthDisposeCallback,
-he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),w.__depthDisposeCallback=oe}w.__boundDepthTexture=he}if(I.depthTexture&&!w.__autoAllocateDepthBuffer)
-if(q)for(let he=0;he<6;he++)vt(w.__webglFramebuffer[he],I,he);else I.texture.mipmaps.length>0?vt(w.__webglFramebuffer[0],I,0):vt(w.__webglFramebuffer,I,0);else if(q){
-w.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer[he]),w.__webglDepthbuffer[he]===void 0)w.__webglDepthbuffer[he]=
-i.createRenderbuffer(),gn(w.__webglDepthbuffer[he],I,!1);else{let oe=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=w.__webglDepthbuffer[he];i.
-bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}}else if(I.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,
-w.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer),w.__webglDepthbuffer===void 0)w.__webglDepthbuffer=i.createRenderbuffer(),gn(w.__webglDepthbuffer,
-I,!1);else{let oe=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=w.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function qt(I,w,q){let he=n.get(I);w!==void 0&&Pt(he.__webglFramebuffer,I,I.texture,i.
-COLOR_ATTACHMENT0,i.TEXTURE_2D,0),q!==void 0&&cn(I)}function en(I){let w=I.texture,q=n.get(I),he=n.get(w);I.addEventListener("dispose",F),L(I);let oe=I.textures,
-_e=I.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=w.version,o.memory.textures++),
-_e){q.__webglFramebuffer=[];for(let te=0;te<6;te++)if(w.mipmaps.length>0){q.__webglFramebuffer[te]=[];for(let ie=0;ie<w.mipmaps.length;ie++)q.__webglFramebuffer[te][ie]=
-i.createFramebuffer()}else q.__webglFramebuffer[te]=i.createFramebuffer()}else{if(w.mipmaps.length>0){q.__webglFramebuffer=[];for(let te=0;te<w.mipmaps.length;te++)
-q.__webglFramebuffer[te]=i.createFramebuffer()}else q.__webglFramebuffer=i.createFramebuffer();if(ye)for(let te=0,ie=oe.length;te<ie;te++){let pe=n.get(oe[te]);
-pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(I.samples>0&&Se(I)===!1){q.__webglMultisampledFramebuffer=i.createFramebuffer(),
-q.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,q.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];q.__webglColorRenderbuffer[te]=
-i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,q.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=T(ie.
-internalFormat,pe,O,ie.normalized,ie.colorSpace,I.isXRRenderTarget===!0),ne=it(I);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,I.width,I.height),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,q.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),I.depthBuffer&&(q.__webglDepthRenderbuffer=
-i.createRenderbuffer(),gn(q.__webglDepthRenderbuffer,I,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
-i.TEXTURE_CUBE_MAP,w);for(let te=0;te<6;te++)if(w.mipmaps.length>0)for(let ie=0;ie<w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[te][ie],I,w,i.COLOR_ATTACHMENT0,
-i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(q.__webglFramebuffer[te],I,w,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);S(w)?M(i.TEXTURE_CUBE_MAP):w.mipmaps.
-length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
-O=n.get(pe),re=i.TEXTURE_2D;(I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(re=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
-O.__webglTexture),ut(re,pe),Pt(q.__webglFramebuffer,I,pe,i.COLOR_ATTACHMENT0+te,re,0),S(pe)&&M(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((I.isWebGL3DRenderTarget||
-I.isWebGLArrayRenderTarget)&&(te=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,w),w.mipmaps.length>0)for(let ie=0;ie<
-w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[ie],I,w,i.COLOR_ATTACHMENT0,te,ie);else Pt(q.__webglFramebuffer,I,w,i.COLOR_ATTACHMENT0,te,0);S(w)?M(te):w.mipmaps.
-length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}I.depthBuffer&&cn(I)}function B(I){let w=I.textures;for(let q=0,he=w.length;q<
-he;q++){let oe=w[q];if(S(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(I),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),M(_e),t.unbindTexture()}}}let Re=[];function qe(I){
-if(I.samples>0){if(Se(I)===!1){let w=I.textures,q=I.width,he=I.height,oe=i.COLOR_BUFFER_BIT,_e=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
-get(I),te=w.length>1;if(te)for(let pe=0;pe<w.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
+i.FRAMEBUFFER,null)}function gn(L,T,$){if(i.bindRenderbuffer(i.RENDERBUFFER,L),T.depthBuffer){let he=T.depthTexture,oe=he&&he.isDepthTexture?he.type:null,_e=_(T.
+stencilBuffer,oe),ye=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),_e,T.width,T.height):
+$?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(T),_e,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,_e,T.width,T.height),i.framebufferRenderbuffer(
+i.FRAMEBUFFER,ye,i.RENDERBUFFER,L)}else{let he=T.textures;for(let oe=0;oe<he.length;oe++){let _e=he[oe],ye=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),
+ie=S(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),ie,T.width,T.height):$?i.renderbufferStorageMultisample(
+i.RENDERBUFFER,it(T),ie,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,ie,T.width,T.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(L,T,$){
+let he=T.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,L),!(T.depthTexture&&T.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTexture\
+s: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(T.depthTexture);oe.__renderTarget=T;let _e=he?T.depthTexture.image[0]:T.depthTexture.
+image;(!oe.__webglTexture||_e.width!==T.width||_e.height!==T.height)&&(_e.width=T.width,_e.height=T.height,T.depthTexture.needsUpdate=!0),he?Me(T.depthTexture,0):
+me(T.depthTexture,0);let ye=oe.__webglTexture,te=it(T),ie=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+$:i.TEXTURE_2D,pe=T.depthTexture.format===us?i.DEPTH_STENCIL_ATTACHMENT:
+i.DEPTH_ATTACHMENT;if(T.depthTexture.format===ss)Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,
+ie,ye,0);else if(T.depthTexture.format===us)Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,ie,ye,
+0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function cn(L){let T=n.get(L),$=L.isWebGLCubeRenderTarget===!0;if(T.__boundDepthTexture!==
+L.depthTexture){let he=L.depthTexture;if(T.__depthDisposeCallback&&T.__depthDisposeCallback(),he){let oe=()=>{delete T.__boundDepthTexture,delete T.__depthDisposeCallback,
+he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),T.__depthDisposeCallback=oe}T.__boundDepthTexture=he}if(L.depthTexture&&!T.__autoAllocateDepthBuffer)
+if($)for(let he=0;he<6;he++)vt(T.__webglFramebuffer[he],L,he);else L.texture.mipmaps.length>0?vt(T.__webglFramebuffer[0],L,0):vt(T.__webglFramebuffer,L,0);else if($){
+T.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer[he]),T.__webglDepthbuffer[he]===void 0)T.__webglDepthbuffer[he]=
+i.createRenderbuffer(),gn(T.__webglDepthbuffer[he],L,!1);else{let oe=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer[he];i.
+bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}}else if(L.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,
+T.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer),T.__webglDepthbuffer===void 0)T.__webglDepthbuffer=i.createRenderbuffer(),gn(T.__webglDepthbuffer,
+L,!1);else{let oe=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(
+i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function $t(L,T,$){let he=n.get(L);T!==void 0&&Pt(he.__webglFramebuffer,L,L.texture,i.
+COLOR_ATTACHMENT0,i.TEXTURE_2D,0),$!==void 0&&cn(L)}function en(L){let T=L.texture,$=n.get(L),he=n.get(T);L.addEventListener("dispose",F),P(L);let oe=L.textures,
+_e=L.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=T.version,o.memory.textures++),
+_e){$.__webglFramebuffer=[];for(let te=0;te<6;te++)if(T.mipmaps.length>0){$.__webglFramebuffer[te]=[];for(let ie=0;ie<T.mipmaps.length;ie++)$.__webglFramebuffer[te][ie]=
+i.createFramebuffer()}else $.__webglFramebuffer[te]=i.createFramebuffer()}else{if(T.mipmaps.length>0){$.__webglFramebuffer=[];for(let te=0;te<T.mipmaps.length;te++)
+$.__webglFramebuffer[te]=i.createFramebuffer()}else $.__webglFramebuffer=i.createFramebuffer();if(ye)for(let te=0,ie=oe.length;te<ie;te++){let pe=n.get(oe[te]);
+pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(L.samples>0&&Se(L)===!1){$.__webglMultisampledFramebuffer=i.createFramebuffer(),
+$.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,$.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];$.__webglColorRenderbuffer[te]=
+i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,$.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=S(ie.
+internalFormat,pe,O,ie.normalized,ie.colorSpace,L.isXRRenderTarget===!0),ne=it(L);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,L.width,L.height),i.framebufferRenderbuffer(
+i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,$.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),L.depthBuffer&&($.__webglDepthRenderbuffer=
+i.createRenderbuffer(),gn($.__webglDepthRenderbuffer,L,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
+i.TEXTURE_CUBE_MAP,T);for(let te=0;te<6;te++)if(T.mipmaps.length>0)for(let ie=0;ie<T.mipmaps.length;ie++)Pt($.__webglFramebuffer[te][ie],L,T,i.COLOR_ATTACHMENT0,
+i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt($.__webglFramebuffer[te],L,T,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);w(T)?b(i.TEXTURE_CUBE_MAP):T.mipmaps.
+length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
+O=n.get(pe),re=i.TEXTURE_2D;(L.isWebGL3DRenderTarget||L.isWebGLArrayRenderTarget)&&(re=L.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
+O.__webglTexture),ut(re,pe),Pt($.__webglFramebuffer,L,pe,i.COLOR_ATTACHMENT0+te,re,0),w(pe)&&b(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((L.isWebGL3DRenderTarget||
+L.isWebGLArrayRenderTarget)&&(te=L.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,T),T.mipmaps.length>0)for(let ie=0;ie<
+T.mipmaps.length;ie++)Pt($.__webglFramebuffer[ie],L,T,i.COLOR_ATTACHMENT0,te,ie);else Pt($.__webglFramebuffer,L,T,i.COLOR_ATTACHMENT0,te,0);w(T)?b(te):T.mipmaps.
+length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}L.depthBuffer&&cn(L)}function B(L){let T=L.textures;for(let $=0,he=T.length;$<
+he;$++){let oe=T[$];if(w(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(L),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),b(_e),t.unbindTexture()}}}let Re=[];function $e(L){
+if(L.samples>0){if(Se(L)===!1){let T=L.textures,$=L.width,he=L.height,oe=i.COLOR_BUFFER_BIT,_e=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
+get(L),te=T.length>1;if(te)for(let pe=0;pe<T.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+
-pe,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,ye.__webglMultisampledFramebuffer),I.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,
-ye.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglFramebuffer);for(let pe=0;pe<w.length;pe++){if(I.resolveDepthBuffer&&(I.depthBuffer&&(oe|=
-i.DEPTH_BUFFER_BIT),I.stencilBuffer&&I.resolveStencilBuffer&&(oe|=i.STENCIL_BUFFER_BIT)),te){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.
-RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=n.get(w[pe]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,O,0)}
-i.blitFramebuffer(0,0,q,he,0,0,q,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),I.depthBuffer&&I.storeMultisampledDepthBuffer===!1&&Re.push(
+pe,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,ye.__webglMultisampledFramebuffer),L.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,
+ye.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglFramebuffer);for(let pe=0;pe<T.length;pe++){if(L.resolveDepthBuffer&&(L.depthBuffer&&(oe|=
+i.DEPTH_BUFFER_BIT),L.stencilBuffer&&L.resolveStencilBuffer&&(oe|=i.STENCIL_BUFFER_BIT)),te){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.
+RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=n.get(T[pe]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,O,0)}
+i.blitFramebuffer(0,0,$,he,0,0,$,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),L.depthBuffer&&L.storeMultisampledDepthBuffer===!1&&Re.push(
 _e),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Re))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),te)for(let pe=0;pe<
-w.length;pe++){t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,
-ye.__webglColorRenderbuffer[pe]);let O=n.get(w[pe]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,
-i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,O,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglMultisampledFramebuffer)}else if(I.depthBuffer&&I.storeMultisampledDepthBuffer===
-!1&&l){let w=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[w])}}}function it(I){return Math.min(s.maxSamples,
-I.samples)}function Se(I){let w=n.get(I);return I.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&w.__useRenderToTexture!==!1}function Lt(I){let w=o.
-render.frame;d.get(I)!==w&&(d.set(I,w),I.update())}function ze(I,w){let q=I.colorSpace,he=I.format,oe=I.type;return I.isCompressedTexture===!0||I.isVideoTexture===
-!0||q!==Bo&&q!==ds&&(_t.getTransfer(q)===At?(he!==wi||oe!==Hn)&&$e("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ke("WebG\
-LTextures: Unsupported texture color space:",q)),w}function Xe(I){return typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement?(c.width=I.naturalWidth||I.width,
-c.height=I.naturalHeight||I.height):typeof VideoFrame<"u"&&I instanceof VideoFrame?(c.width=I.displayWidth,c.height=I.displayHeight):(c.width=I.width,c.height=I.
+T.length;pe++){t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,
+ye.__webglColorRenderbuffer[pe]);let O=n.get(T[pe]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,
+i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,O,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglMultisampledFramebuffer)}else if(L.depthBuffer&&L.storeMultisampledDepthBuffer===
+!1&&l){let T=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[T])}}}function it(L){return Math.min(s.maxSamples,
+L.samples)}function Se(L){let T=n.get(L);return L.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&T.__useRenderToTexture!==!1}function Lt(L){let T=o.
+render.frame;d.get(L)!==T&&(d.set(L,T),L.update())}function ze(L,T){let $=L.colorSpace,he=L.format,oe=L.type;return L.isCompressedTexture===!0||L.isVideoTexture===
+!0||$!==zo&&$!==ds&&(_t.getTransfer($)===At?(he!==wi||oe!==Hn)&&qe("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ke("WebG\
+LTextures: Unsupported texture color space:",$)),T}function Xe(L){return typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement?(c.width=L.naturalWidth||L.width,
+c.height=L.naturalHeight||L.height):typeof VideoFrame<"u"&&L instanceof VideoFrame?(c.width=L.displayWidth,c.height=L.displayHeight):(c.width=L.width,c.height=L.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
-setTexture3D=Ee,this.setTextureCube=be,this.rebindTextures=qt,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=qe,this.
-setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function fw(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
-if(n===Hn)return i.UNSIGNED_BYTE;if(n===ic)return i.UNSIGNED_SHORT_4_4_4_4;if(n===sc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Hu)return i.UNSIGNED_INT_5_9_9_9_REV;
-if(n===Wu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Vu)return i.BYTE;if(n===Gu)return i.SHORT;if(n===oo)return i.UNSIGNED_SHORT;if(n===nc)return i.INT;if(n===
-bi)return i.UNSIGNED_INT;if(n===hi)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Xu)return i.ALPHA;if(n===qu)return i.RGB;if(n===wi)return i.RGBA;if(n===ss)
-return i.DEPTH_COMPONENT;if(n===us)return i.DEPTH_STENCIL;if(n===rc)return i.RED;if(n===oc)return i.RED_INTEGER;if(n===Us)return i.RG;if(n===ac)return i.RG_INTEGER;
-if(n===lc)return i.RGBA_INTEGER;if(n===da||n===fa||n===pa||n===ma)if(o===At)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===da)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;
-if(n===fa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===pa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===ma)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else
-return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===da)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===fa)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;
-if(n===pa)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===ma)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===cc||n===hc||n===uc||n===dc)if(r=e.get(
+setTexture3D=Ee,this.setTextureCube=Me,this.rebindTextures=$t,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=$e,this.
+setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function _w(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
+if(n===Hn)return i.UNSIGNED_BYTE;if(n===ic)return i.UNSIGNED_SHORT_4_4_4_4;if(n===sc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Wu)return i.UNSIGNED_INT_5_9_9_9_REV;
+if(n===Xu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Gu)return i.BYTE;if(n===Hu)return i.SHORT;if(n===ao)return i.UNSIGNED_SHORT;if(n===nc)return i.INT;if(n===
+Mi)return i.UNSIGNED_INT;if(n===ui)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===$u)return i.ALPHA;if(n===qu)return i.RGB;if(n===wi)return i.RGBA;if(n===ss)
+return i.DEPTH_COMPONENT;if(n===us)return i.DEPTH_STENCIL;if(n===rc)return i.RED;if(n===oc)return i.RED_INTEGER;if(n===Fs)return i.RG;if(n===ac)return i.RG_INTEGER;
+if(n===lc)return i.RGBA_INTEGER;if(n===pa||n===ma||n===ga||n===_a)if(o===At)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===pa)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;
+if(n===ma)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===ga)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===_a)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else
+return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===pa)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===ma)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;
+if(n===ga)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===_a)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===cc||n===hc||n===uc||n===dc)if(r=e.get(
 "WEBGL_compressed_texture_pvrtc"),r!==null){if(n===cc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===hc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===uc)return r.
-COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===dc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===fc||n===pc||n===mc||n===gc||n===_c||n===ga||n===xc)
+COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===dc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===fc||n===pc||n===mc||n===gc||n===_c||n===xa||n===xc)
 if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(n===fc||n===pc)return o===At?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(n===mc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:
-r.COMPRESSED_RGBA8_ETC2_EAC;if(n===gc)return r.COMPRESSED_R11_EAC;if(n===_c)return r.COMPRESSED_SIGNED_R11_EAC;if(n===ga)return r.COMPRESSED_RG11_EAC;if(n===xc)
-return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(n===yc||n===vc||n===Mc||n===bc||n===Sc||n===wc||n===Tc||n===Ac||n===Ec||n===Cc||n===Rc||n===Pc||n===Ic||
+r.COMPRESSED_RGBA8_ETC2_EAC;if(n===gc)return r.COMPRESSED_R11_EAC;if(n===_c)return r.COMPRESSED_SIGNED_R11_EAC;if(n===xa)return r.COMPRESSED_RG11_EAC;if(n===xc)
+return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(n===yc||n===vc||n===bc||n===Mc||n===Sc||n===wc||n===Tc||n===Ac||n===Ec||n===Cc||n===Rc||n===Pc||n===Ic||
 n===Lc)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(n===yc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===
-vc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===Mc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;
-if(n===bc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===Sc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;
+vc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===bc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;
+if(n===Mc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===Sc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;
 if(n===wc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(n===Tc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;
 if(n===Ac)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===Ec)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.
 COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===Cc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===Rc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:
 r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===Pc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===Ic)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:
 r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Lc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===Nc||n===
 Dc||n===Uc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Nc)return o===At?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;
-if(n===Dc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Uc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Fc||n===Oc||n===_a||n===
-Bc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Fc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===_a)
-return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Bc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===nr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
-i[n]:null}return{convert:t}}var pw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",mw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
+if(n===Dc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Uc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Fc||n===Oc||n===ya||n===
+Bc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Fc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===ya)
+return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Bc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===ir?i.UNSIGNED_INT_24_8:i[n]!==void 0?
+i[n]:null}return{convert:t}}var xw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",yw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
-\n}",ud=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Zo(e.texture);(e.depthNear!==
+\n}",dd=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Ko(e.texture);(e.depthNear!==
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
-let t=e.cameras[0].viewport,n=new ki({vertexShader:pw,fragmentShader:mw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
-this.mesh=new ci(new jo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},dd=class extends Oi{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,m=null,y=typeof XRWebGLBinding<"u",p=new ud,g={},_=t.getContextAttributes(),
-S=null,M=null,C=[],T=[],x=new st,b=null,L=null,R=new Fn;R.viewport=new Wt;let P=new Fn;P.viewport=new Wt;let F=[R,P],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
-!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
-function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=
-me),me.getHandSpace()};function Y(ee){let me=T.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
+let t=e.cameras[0].viewport,n=new ki({vertexShader:xw,fragmentShader:yw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
+this.mesh=new hi(new ea(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},fd=class extends Oi{constructor(e,t){
+super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",m=new dd,g={},x=t.getContextAttributes(),
+w=null,b=null,C=[],S=[],_=new st,M=null,P=null,R=new Un;R.viewport=new Wt;let I=new Un;I.viewport=new Wt;let F=[R,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
+!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new jr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
+function(ee){let me=C[ee];return me===void 0&&(me=new jr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new jr,C[ee]=
+me),me.getHandSpace()};function Y(ee){let me=S.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=T[ee];me!==null&&(T[ee]=null,C[ee].disconnect(me))}D=null,G=null,p.reset();for(let ee in g)delete g[ee];
-if(e.setRenderTarget(S),f=null,h=null,u=null,s=null,M=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(b),e.setSize(x.width,x.height,!1),L!==null){let ee=L.camera;
-ee.fov=L.fov,ee.zoom=L.zoom,ee.updateProjectionMatrix(),L=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
-!0&&$e("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&$e("WebXRManager: C\
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,m.reset();for(let ee in g)delete g[ee];
+if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),P!==null){let ee=P.camera;
+ee.fov=P.fov,ee.zoom=P.zoom,ee.updateProjectionMatrix(),P=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
+!0&&qe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&qe("WebXRManager: C\
 annot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=
-function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return m},this.getSession=
-function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(S=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
+function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return p},this.getSession=
+function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(w=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
-"end",W),s.addEventListener("inputsourceschange",ce),_.xrCompatible!==!0&&await t.makeXRCompatible(),b=e.getPixelRatio(),e.getSize(x),y&&"createProjectionLayer"in
-XRWebGLBinding.prototype){let xe=null,Ee=null,be=null;_.depth&&(be=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=_.stencil?us:ss,Ee=_.stencil?nr:bi);let He={
-colorFormat:t.RGBA8,depthFormat:be,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
-h.textureWidth,h.textureHeight,!1),M=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new cs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
-void 0,void 0,void 0,void 0,xe),stencilBuffer:_.stencil,colorSpace:e.outputColorSpace,samples:_.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
-ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let xe={antialias:_.
-antialias,alpha:!0,depth:_.depth,stencil:_.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.
-setSize(f.framebufferWidth,f.framebufferHeight,!1),M=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:_.
+"end",W),s.addEventListener("inputsourceschange",ce),x.xrCompatible!==!0&&await t.makeXRCompatible(),M=e.getPixelRatio(),e.getSize(_),y&&"createProjectionLayer"in
+XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;x.depth&&(Me=x.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=x.stencil?us:ss,Ee=x.stencil?ir:Mi);let He={
+colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
+h.textureWidth,h.textureHeight,!1),b=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new cs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
+void 0,void 0,void 0,void 0,xe),stencilBuffer:x.stencil,colorSpace:e.outputColorSpace,samples:x.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
+ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let xe={antialias:x.
+antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.
+setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:x.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
-ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
-{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};
-function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=T.indexOf(xe);Ee>=0&&(T[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
-length;me++){let xe=ee.added[me],Ee=T.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=T.length){T.push(xe),Ee=He;break}else if(T[He]===null){T[He]=
-xe,Ee=He;break}if(Ee===-1)break}let be=C[Ee];be&&be.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
-ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;p.texture!==null&&(p.depthNear>
-0&&(me=p.depthNear),p.depthFar>0&&(xe=p.depthFar)),z.near=P.near=R.near=me,z.far=P.far=R.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
-depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,R.layers.mask=z.layers.mask&-5,P.layers.mask=z.layers.mask&-3;let Ee=ee.parent,be=z.cameras;K(
-z,Ee);for(let He=0;He<be.length;He++)K(be[He],Ee);z.projectionMatrix.copy(R.projectionMatrix),z.projectionMatrixInverse.copy(R.projectionMatrixInverse),L===null&&
-ee.isPerspectiveCamera&&(L={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
+ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};
+function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=S.indexOf(xe);Ee>=0&&(S[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
+length;me++){let xe=ee.added[me],Ee=S.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=S.length){S.push(xe),Ee=He;break}else if(S[He]===null){S[He]=
+xe,Ee=He;break}if(Ee===-1)break}let Me=C[Ee];Me&&Me.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
+ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;m.texture!==null&&(m.depthNear>
+0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),z.near=I.near=R.near=me,z.far=I.far=R.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,R.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
+z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(R.projectionMatrix),z.projectionMatrixInverse.copy(R.projectionMatrixInverse),P===null&&
+ee.isPerspectiveCamera&&(P={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
 me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Cl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
-fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return p.texture!==null},this.getDepthSensingMesh=
-function(){return p.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),m=me,d!==null){let xe=d.
-views;f!==null&&(e.setRenderTargetFramebuffer(M,f.framebuffer),e.setRenderTarget(M));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
-xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(M,Gt.
-colorTexture,Gt.depthStencilTexture),e.setRenderTarget(M))}let et=F[Ve];et===void 0&&(et=new Fn,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
+fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=
+function(){return m.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
+views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
+xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
+colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new Un,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
-Ee===!0&&z.cameras.push(et)}let be=s.enabledFeatures;if(be&&be.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
-xe[0]);Ve&&Ve.isValid&&Ve.texture&&p.init(Ve,s.renderState)}if(be&&be.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
-length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Zo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
-let Ee=T[xe],be=C[xe];Ee!==null&&be!==void 0&&be.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),m=null}let ue=new Mg;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},gw=new xt,Ig=new Qe;Ig.set(-1,0,0,0,1,0,0,0,1);function _w(i,e){function t(p,g){
-p.matrixAutoUpdate===!0&&p.updateMatrix(),g.value.copy(p.matrix)}function n(p,g){g.color.getRGB(p.fogColor.value,Qu(i)),g.isFog?(p.fogNear.value=g.near,p.fogFar.
-value=g.far):g.isFogExp2&&(p.fogDensity.value=g.density)}function s(p,g,_,S,M){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(p,g):g.isMeshLambertMaterial?
-(r(p,g),g.envMap&&(p.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(p,g),u(p,g)):g.isMeshPhongMaterial?(r(p,g),d(p,g),g.envMap&&(p.envMapIntensity.
-value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(p,g),h(p,g),g.isMeshPhysicalMaterial&&f(p,g,M)):g.isMeshMatcapMaterial?(r(p,g),m(p,g)):g.isMeshDepthMaterial?
-r(p,g):g.isMeshDistanceMaterial?(r(p,g),y(p,g)):g.isMeshNormalMaterial?r(p,g):g.isLineBasicMaterial?(o(p,g),g.isLineDashedMaterial&&a(p,g)):g.isPointsMaterial?l(
-p,g,_,S):g.isSpriteMaterial?c(p,g):g.isShadowMaterial?(p.color.value.copy(g.color),p.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(p,g){
-p.opacity.value=g.opacity,g.color&&p.diffuse.value.copy(g.color),g.emissive&&p.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(p.map.
-value=g.map,t(g.map,p.mapTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.bumpMap&&(p.bumpMap.value=g.bumpMap,t(g.bumpMap,
-p.bumpMapTransform),p.bumpScale.value=g.bumpScale,g.side===kn&&(p.bumpScale.value*=-1)),g.normalMap&&(p.normalMap.value=g.normalMap,t(g.normalMap,p.normalMapTransform),
-p.normalScale.value.copy(g.normalScale),g.side===kn&&p.normalScale.value.negate()),g.displacementMap&&(p.displacementMap.value=g.displacementMap,t(g.displacementMap,
-p.displacementMapTransform),p.displacementScale.value=g.displacementScale,p.displacementBias.value=g.displacementBias),g.emissiveMap&&(p.emissiveMap.value=g.emissiveMap,
-t(g.emissiveMap,p.emissiveMapTransform)),g.specularMap&&(p.specularMap.value=g.specularMap,t(g.specularMap,p.specularMapTransform)),g.alphaTest>0&&(p.alphaTest.
-value=g.alphaTest);let _=e.get(g),S=_.envMap,M=_.envMapRotation;S&&(p.envMap.value=S,p.envMapRotation.value.setFromMatrix4(gw.makeRotationFromEuler(M)).transpose(),
-S.isCubeTexture&&S.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Ig),p.reflectivity.value=g.reflectivity,p.ior.value=g.ior,p.refractionRatio.value=
-g.refractionRatio),g.lightMap&&(p.lightMap.value=g.lightMap,p.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,p.lightMapTransform)),g.aoMap&&(p.aoMap.value=
-g.aoMap,p.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,p.aoMapTransform))}function o(p,g){p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,g.map&&(p.map.
-value=g.map,t(g.map,p.mapTransform))}function a(p,g){p.dashSize.value=g.dashSize,p.totalSize.value=g.dashSize+g.gapSize,p.scale.value=g.scale}function l(p,g,_,S){
-p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,p.size.value=g.size*_,p.scale.value=S*.5,g.map&&(p.map.value=g.map,t(g.map,p.uvTransform)),g.alphaMap&&(p.
-alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.alphaTest>0&&(p.alphaTest.value=g.alphaTest)}function c(p,g){p.diffuse.value.copy(g.color),p.opacity.
-value=g.opacity,p.rotation.value=g.rotation,g.map&&(p.map.value=g.map,t(g.map,p.mapTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),
-g.alphaTest>0&&(p.alphaTest.value=g.alphaTest)}function d(p,g){p.specular.value.copy(g.specular),p.shininess.value=Math.max(g.shininess,1e-4)}function u(p,g){g.
-gradientMap&&(p.gradientMap.value=g.gradientMap)}function h(p,g){p.metalness.value=g.metalness,g.metalnessMap&&(p.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
-p.metalnessMapTransform)),p.roughness.value=g.roughness,g.roughnessMap&&(p.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,p.roughnessMapTransform)),g.envMap&&
-(p.envMapIntensity.value=g.envMapIntensity)}function f(p,g,_){p.ior.value=g.ior,g.diffuseRoughness>0&&(p.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
-(p.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,p.diffuseRoughnessMapTransform))),g.sheen>0&&(p.sheenColor.value.copy(g.sheenColor).multiplyScalar(
-g.sheen),p.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(p.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,p.sheenColorMapTransform)),g.sheenRoughnessMap&&
-(p.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,p.sheenRoughnessMapTransform))),g.clearcoat>0&&(p.clearcoat.value=g.clearcoat,p.clearcoatRoughness.
-value=g.clearcoatRoughness,g.clearcoatMap&&(p.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,p.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(p.clearcoatRoughnessMap.
-value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,p.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(p.clearcoatNormalMap.value=g.clearcoatNormalMap,
-t(g.clearcoatNormalMap,p.clearcoatNormalMapTransform),p.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===kn&&p.clearcoatNormalScale.value.negate())),
-g.dispersion>0&&(p.dispersion.value=g.dispersion),g.retroreflectivity>0&&(p.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(p.iridescence.value=g.
-iridescence,p.iridescenceIOR.value=g.iridescenceIOR,p.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,p.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
-g.iridescenceMap&&(p.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,p.iridescenceMapTransform)),g.iridescenceThicknessMap&&(p.iridescenceThicknessMap.
-value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,p.iridescenceThicknessMapTransform))),g.transmission>0&&(p.transmission.value=g.transmission,p.transmissionSamplerMap.
-value=_.texture,p.transmissionSamplerSize.value.set(_.width,_.height),g.transmissionMap&&(p.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,p.transmissionMapTransform)),
-p.thickness.value=g.thickness,g.thicknessMap&&(p.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,p.thicknessMapTransform)),p.attenuationDistance.value=g.attenuationDistance,
-p.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(p.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
-g.anisotropyRotation)),g.anisotropyMap&&(p.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,p.anisotropyMapTransform))),p.specularIntensity.value=g.specularIntensity,
-p.specularColor.value.copy(g.specularColor),g.specularColorMap&&(p.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,p.specularColorMapTransform)),
-g.specularIntensityMap&&(p.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,p.specularIntensityMapTransform))}function m(p,g){g.matcap&&
-(p.matcap.value=g.matcap)}function y(p,g){let _=e.get(g).light;p.referencePosition.value.setFromMatrixPosition(_.matrixWorld),p.nearDistance.value=_.shadow.camera.
-near,p.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function xw(i,e,t,n){let s={},r={};function o(_,S){let M=S.program;
-n.uniformBlockBinding(_,M,s[_.id])}function a(_,S){let M=s[_.id];M===void 0&&(m(_),M=l(_),s[_.id]=M,_.addEventListener("dispose",p));let C=S.program;n.updateUBOMapping(
-_,C);let T=e.render.frame;r[_.id]!==T&&(c(_),r[_.id]=T)}function l(_){let S=i.createBuffer(),M=_.__size,C=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
-i.UNIFORM_BUFFER,M,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(_){let S=s[_.id],M=_.uniforms,C=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let T=0,x=M.
-length;T<x;T++){let b=M[T];if(Array.isArray(b))for(let L=0,R=b.length;L<R;L++)d(b[L],T,L,C);else d(b,T,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(_,S,M,C){
-if(h(_,S,M,C)===!0){let T=_.__offset,x=_.value;if(Array.isArray(x)){let b=0;for(let L=0;L<x.length;L++){let R=x[L],P=y(R,!0);u(R,_.__data,b),b+=P.storage/Float32Array.
-BYTES_PER_ELEMENT}}else u(x,_.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,T,_.__data)}}function u(_,S,M){typeof _=="number"||typeof _=="boolean"?S[M]=_:_.isMatrix3?
-(S[M]=_.elements[0],S[M+1]=_.elements[1],S[M+2]=_.elements[2],S[M+3]=0,S[M+4]=_.elements[3],S[M+5]=_.elements[4],S[M+6]=_.elements[5],S[M+7]=0,S[M+8]=_.elements[6],
-S[M+9]=_.elements[7],S[M+10]=_.elements[8],S[M+11]=0):ArrayBuffer.isView(_)?S.set(_.subarray(0,S.length-M),M):_.toArray(S,M)}function h(_,S,M,C){let T=_.value,x=S+
-"_"+M;if(Array.isArray(T)){C[x]===void 0&&(C[x]=[]);let b=C[x],L=!1;for(let R=0;R<T.length;R++)f(T[R],b,R)===!0&&(L=!0);return L}return f(T,C,x)}function f(_,S,M){
-if(S[M]===void 0)return typeof _=="number"||typeof _=="boolean"?S[M]=_:ArrayBuffer.isView(_)?S[M]=_.slice():S[M]=_.clone(),!0;{let C=S[M];if(typeof _=="number"||
-typeof _=="boolean"){if(C!==_)return S[M]=_,!0}else{if(ArrayBuffer.isView(_))return!0;if(C.equals(_)===!1)return C.copy(_),!0}}return!1}function m(_){let S=_.uniforms,
-M=0,C=16;for(let x=0,b=S.length;x<b;x++){let L=Array.isArray(S[x])?S[x]:[S[x]];for(let R=0,P=L.length;R<P;R++){let F=L[R],z=Array.isArray(F.value)?F.value:[F.value],
-D=Array.isArray(S[x])||Array.isArray(F.value),G=M;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=M%C,de=se%Q.boundary,ue=se+de;M+=de,ue!==0&&C-ue<Q.storage&&
-(M+=C-ue),W===0&&(G=M),M+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((M-G)/Float32Array.BYTES_PER_ELEMENT),
-F.__offset=G}}let T=M%C;return T>0&&(M+=C-T),_.__size=M,_.__cache={},this}function y(_,S){let M={boundary:0,storage:0};return typeof _=="number"||typeof _=="boo\
-lean"?(M.boundary=4,M.storage=4):_.isVector2?(M.boundary=8,M.storage=8):_.isVector3||_.isColor?(M.boundary=16,M.storage=12):_.isVector4?(M.boundary=16,M.storage=
-16):_.isMatrix3?(M.boundary=16,M.storage=48):_.isMatrix4?(M.boundary=16,M.storage=64):_.isTexture?$e("WebGLRenderer: Texture samplers can not be part of an unif\
-orms group."):ArrayBuffer.isView(_)?(M.boundary=16,M.storage=_.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",_),S===!0&&(M.boundary=16,M.storage=
-Math.ceil(M.storage/16)*16),M}function p(_){let S=_.target;S.removeEventListener("dispose",p),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function g(){
-for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}var yw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
+xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
+length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Ko,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
+let Ee=S[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Tg;
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},vw=new xt,Ug=new Qe;Ug.set(-1,0,0,0,1,0,0,0,1);function bw(i,e){function t(m,g){
+m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,ed(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
+value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,x,w,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
+(r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
+value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(m,g),h(m,g),g.isMeshPhysicalMaterial&&f(m,g,b)):g.isMeshMatcapMaterial?(r(m,g),p(m,g)):g.isMeshDepthMaterial?
+r(m,g):g.isMeshDistanceMaterial?(r(m,g),y(m,g)):g.isMeshNormalMaterial?r(m,g):g.isLineBasicMaterial?(o(m,g),g.isLineDashedMaterial&&a(m,g)):g.isPointsMaterial?l(
+m,g,x,w):g.isSpriteMaterial?c(m,g):g.isShadowMaterial?(m.color.value.copy(g.color),m.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(m,g){
+m.opacity.value=g.opacity,g.color&&m.diffuse.value.copy(g.color),g.emissive&&m.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(m.map.
+value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.bumpMap&&(m.bumpMap.value=g.bumpMap,t(g.bumpMap,
+m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===Bn&&(m.bumpScale.value*=-1)),g.normalMap&&(m.normalMap.value=g.normalMap,t(g.normalMap,m.normalMapTransform),
+m.normalScale.value.copy(g.normalScale),g.side===Bn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
+m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
+t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
+value=g.alphaTest);let x=e.get(g),w=x.envMap,b=x.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(vw.makeRotationFromEuler(b)).transpose(),
+w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Ug),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
+g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
+g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
+value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,x,w){
+m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,m.size.value=g.size*x,m.scale.value=w*.5,g.map&&(m.map.value=g.map,t(g.map,m.uvTransform)),g.alphaMap&&(m.
+alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function c(m,g){m.diffuse.value.copy(g.color),m.opacity.
+value=g.opacity,m.rotation.value=g.rotation,g.map&&(m.map.value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),
+g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function d(m,g){m.specular.value.copy(g.specular),m.shininess.value=Math.max(g.shininess,1e-4)}function u(m,g){g.
+gradientMap&&(m.gradientMap.value=g.gradientMap)}function h(m,g){m.metalness.value=g.metalness,g.metalnessMap&&(m.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
+m.metalnessMapTransform)),m.roughness.value=g.roughness,g.roughnessMap&&(m.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,m.roughnessMapTransform)),g.envMap&&
+(m.envMapIntensity.value=g.envMapIntensity)}function f(m,g,x){m.ior.value=g.ior,g.diffuseRoughness>0&&(m.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
+(m.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),g.sheen>0&&(m.sheenColor.value.copy(g.sheenColor).multiplyScalar(
+g.sheen),m.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(m.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,m.sheenColorMapTransform)),g.sheenRoughnessMap&&
+(m.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,m.sheenRoughnessMapTransform))),g.clearcoat>0&&(m.clearcoat.value=g.clearcoat,m.clearcoatRoughness.
+value=g.clearcoatRoughness,g.clearcoatMap&&(m.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,m.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.
+value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(m.clearcoatNormalMap.value=g.clearcoatNormalMap,
+t(g.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===Bn&&m.clearcoatNormalScale.value.negate())),
+g.dispersion>0&&(m.dispersion.value=g.dispersion),g.retroreflectivity>0&&(m.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(m.iridescence.value=g.
+iridescence,m.iridescenceIOR.value=g.iridescenceIOR,m.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
+g.iridescenceMap&&(m.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,m.iridescenceMapTransform)),g.iridescenceThicknessMap&&(m.iridescenceThicknessMap.
+value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),g.transmission>0&&(m.transmission.value=g.transmission,m.transmissionSamplerMap.
+value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),g.transmissionMap&&(m.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,m.transmissionMapTransform)),
+m.thickness.value=g.thickness,g.thicknessMap&&(m.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=g.attenuationDistance,
+m.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(m.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
+g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=g.specularIntensity,
+m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
+g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
+(m.matcap.value=g.matcap)}function y(m,g){let x=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.
+near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Mw(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
+n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",m));let C=w.program;n.updateUBOMapping(
+x,C);let S=e.render.frame;r[x.id]!==S&&(c(x),r[x.id]=S)}function l(x){let w=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
+i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(x){let w=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let S=0,_=b.
+length;S<_;S++){let M=b[S];if(Array.isArray(M))for(let P=0,R=M.length;P<R;P++)d(M[P],S,P,C);else d(M,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,w,b,C){
+if(h(x,w,b,C)===!0){let S=x.__offset,_=x.value;if(Array.isArray(_)){let M=0;for(let P=0;P<_.length;P++){let R=_[P],I=y(R,!0);u(R,x.__data,M),M+=I.storage/Float32Array.
+BYTES_PER_ELEMENT}}else u(_,x.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,S,x.__data)}}function u(x,w,b){typeof x=="number"||typeof x=="boolean"?w[b]=x:x.isMatrix3?
+(w[b]=x.elements[0],w[b+1]=x.elements[1],w[b+2]=x.elements[2],w[b+3]=0,w[b+4]=x.elements[3],w[b+5]=x.elements[4],w[b+6]=x.elements[5],w[b+7]=0,w[b+8]=x.elements[6],
+w[b+9]=x.elements[7],w[b+10]=x.elements[8],w[b+11]=0):ArrayBuffer.isView(x)?w.set(x.subarray(0,w.length-b),b):x.toArray(w,b)}function h(x,w,b,C){let S=x.value,_=w+
+"_"+b;if(Array.isArray(S)){C[_]===void 0&&(C[_]=[]);let M=C[_],P=!1;for(let R=0;R<S.length;R++)f(S[R],M,R)===!0&&(P=!0);return P}return f(S,C,_)}function f(x,w,b){
+if(w[b]===void 0)return typeof x=="number"||typeof x=="boolean"?w[b]=x:ArrayBuffer.isView(x)?w[b]=x.slice():w[b]=x.clone(),!0;{let C=w[b];if(typeof x=="number"||
+typeof x=="boolean"){if(C!==x)return w[b]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function p(x){let w=x.uniforms,
+b=0,C=16;for(let _=0,M=w.length;_<M;_++){let P=Array.isArray(w[_])?w[_]:[w[_]];for(let R=0,I=P.length;R<I;R++){let F=P[R],z=Array.isArray(F.value)?F.value:[F.value],
+D=Array.isArray(w[_])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
+(b+=C-ue),W===0&&(G=b),b+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((b-G)/Float32Array.BYTES_PER_ELEMENT),
+F.__offset=G}}let S=b%C;return S>0&&(b+=C-S),x.__size=b,x.__cache={},this}function y(x,w){let b={boundary:0,storage:0};return typeof x=="number"||typeof x=="boo\
+lean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=
+16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
+orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),w===!0&&(b.boundary=16,b.storage=
+Math.ceil(b.storage/16)*16),b}function m(x){let w=x.target;w.removeEventListener("dispose",m),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
+for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}var Sw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3600,262 +3601,262 @@ for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}
 5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
-1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function vw(){return Gi===null&&(Gi=new Xo(yw,16,16,Us,Si),Gi.name="DFG_LUT",Gi.minFilter=
-On,Gi.magFilter=On,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Hc=class{constructor(e={}){let{canvas:t=Xm(),context:n=null,depth:s=!0,
+1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function ww(){return Gi===null&&(Gi=new qo(Sw,16,16,Fs,Si),Gi.name="DFG_LUT",Gi.minFilter=
+Fn,Gi.magFilter=Fn,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Hc=class{constructor(e={}){let{canvas:t=Zm(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
-outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let m;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");m=n.getContextAttributes().alpha}else m=o;let y=f,p=new Set([lc,ac,oc]),g=new Set([Hn,bi,oo,nr,ic,sc]),
-_=new Uint32Array(4),S=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},C=null,T=null,x=[],b=[],L=null;this.domElement=t,this.debug={checkShaderErrors:!0,
+outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,m=new Set([lc,ac,oc]),g=new Set([Hn,Mi,ao,ir,ic,sc]),
+x=new Uint32Array(4),w=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,S=null,_=[],M=[],P=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
-clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,P=!1,F=null,z=null,D=null,
-G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,be=1,He=null,nt=null,Ve=new Wt(
-0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Es,Gt=new Ll,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
-isScene:!0},qt=!1;function en(){return ce===null?be:1}let B=n;function Re(E,k){return t.getContext(E,k)}let qe,it,Se,Lt,ze,Xe,I,w,q,he,oe,_e,ye,te,ie,pe,O,re,ne,
-we,ge,Me,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("\
+clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,I=!1,F=null,z=null,D=null,
+G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,Me=1,He=null,nt=null,Ve=new Wt(
+0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Cs,Gt=new Ll,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
+isScene:!0},$t=!1;function en(){return ce===null?Me:1}let B=n;function Re(E,k){return t.getContext(E,k)}let $e,it,Se,Lt,ze,Xe,L,T,$,he,oe,_e,ye,te,ie,pe,O,re,ne,
+we,ge,be,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("\
 setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Oe,!1),t.addEventListener("webglcontextrestore\
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
-E}function Ze(){qe=new Ib(B),qe.init(),ge=new fw(B,qe),it=new vb(B,qe,e,ge),Se=new uw(B,qe),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new Db(B),ze=new KS,Xe=new dw(B,qe,Se,ze,it,ge,Lt),I=new Pb(R),w=new Fy(B),Me=new xb(B,w),q=new Lb(B,w,Lt,Me),
-he=new Fb(B,q,w,Me,Lt),re=new Ub(B,it,Xe),ie=new Mb(ze),oe=new JS(R,I,qe,it,Me,ie),_e=new _w(R,ze),ye=new QS,te=new rw(qe),O=new _b(R,I,Se,he,m,l),pe=new hw(R,he,
-it),Ge=new xw(B,Lt,it,Se),ne=new yb(B,qe,Lt),we=new Nb(B,qe,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=qe,R.properties=ze,R.renderLists=ye,R.shadowMap=
-pe,R.state=Se,R.info=Lt}y!==Hn&&(L=new Bb(y,t.width,t.height,a,s,r));let le=new dd(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
-function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=qe.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
-let E=qe.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return be},this.setPixelRatio=function(E){E!==void 0&&(be=E,this.setSize(
-xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){$e("WebGLRenderer: Can't change size while VR devi\
-ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*be),t.height=Math.floor(k*be),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),L!==null&&L.setSize(
-t.width,t.height),this.setViewport(0,0,E,k)},this.getDrawingBufferSize=function(E){return E.set(xe*be,Ee*be).floor()},this.setDrawingBufferSize=function(E,k,j){
-xe=E,Ee=k,be=j,t.width=Math.floor(E*j),t.height=Math.floor(k*j),this.setViewport(0,0,E,k)},this.setEffects=function(E){if(y===Hn){Ke("WebGLRenderer: setEffects(\
-) requires outputBufferType set to HalfFloatType or FloatType.");return}if(E){for(let k=0;k<E.length;k++)if(E[k].isOutputPass===!0){$e("WebGLRenderer: OutputPas\
-s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}L.setEffects(E||[])},this.getCurrentViewport=function(E){
-return E.copy(se)},this.getViewport=function(E){return E.copy(Ve)},this.setViewport=function(E,k,j,$){E.isVector4?Ve.set(E.x,E.y,E.z,E.w):Ve.set(E,k,j,$),Se.viewport(
-se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.copy(ut)},this.setScissor=function(E,k,j,$){E.isVector4?ut.set(E.x,E.y,E.z,E.w):
-ut.set(E,k,j,$),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
+E}function Ze(){$e=new UM(B),$e.init(),ge=new _w(B,$e),it=new wM(B,$e,e,ge),Se=new mw(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
+D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new BM(B),ze=new tw,Xe=new gw(B,$e,Se,ze,it,ge,Lt),L=new DM(R),T=new zy(B),be=new MM(B,T),$=new FM(B,T,Lt,be),
+he=new zM(B,$,T,be,Lt),re=new kM(B,it,Xe),ie=new TM(ze),oe=new ew(R,L,$e,it,be,ie),_e=new bw(R,ze),ye=new iw,te=new cw($e),O=new bM(R,L,Se,he,p,l),pe=new pw(R,he,
+it),Ge=new Mw(B,Lt,it,Se),ne=new SM(B,$e,Lt),we=new OM(B,$e,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=$e,R.properties=ze,R.renderLists=ye,R.shadowMap=
+pe,R.state=Se,R.info=Lt}y!==Hn&&(P=new GM(y,t.width,t.height,a,s,r));let le=new fd(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=$e.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
+let E=$e.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(E){E!==void 0&&(Me=E,this.setSize(
+xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){qe("WebGLRenderer: Can't change size while VR devi\
+ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*Me),t.height=Math.floor(k*Me),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),P!==null&&P.setSize(
+t.width,t.height),this.setViewport(0,0,E,k)},this.getDrawingBufferSize=function(E){return E.set(xe*Me,Ee*Me).floor()},this.setDrawingBufferSize=function(E,k,j){
+xe=E,Ee=k,Me=j,t.width=Math.floor(E*j),t.height=Math.floor(k*j),this.setViewport(0,0,E,k)},this.setEffects=function(E){if(y===Hn){Ke("WebGLRenderer: setEffects(\
+) requires outputBufferType set to HalfFloatType or FloatType.");return}if(E){for(let k=0;k<E.length;k++)if(E[k].isOutputPass===!0){qe("WebGLRenderer: OutputPas\
+s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}P.setEffects(E||[])},this.getCurrentViewport=function(E){
+return E.copy(se)},this.getViewport=function(E){return E.copy(Ve)},this.setViewport=function(E,k,j,q){E.isVector4?Ve.set(E.x,E.y,E.z,E.w):Ve.set(E,k,j,q),Se.viewport(
+se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.copy(ut)},this.setScissor=function(E,k,j,q){E.isVector4?ut.set(E.x,E.y,E.z,E.w):
+ut.set(E,k,j,q),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
-clear=function(E=!0,k=!0,j=!0){let $=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=p.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
-Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(_[0]=ke,_[1]=je,_[2]=dt,_[3]=Ie,B.clearBufferuiv(B.COLOR,0,_)):(S[0]=ke,S[1]=je,S[2]=dt,S[3]=Ie,B.clearBufferiv(
-B.COLOR,0,S))}else $|=B.COLOR_BUFFER_BIT}k&&($|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&($|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
-setMask(4294967295)),$!==0&&B.clear($)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
+clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=m.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
+Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(w[0]=ke,w[1]=je,w[2]=dt,w[3]=Ie,B.clearBufferiv(
+B.COLOR,0,w))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
+setMask(4294967295)),q!==0&&B.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
 this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener(
-"webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),I.dispose(),
-he.dispose(),q.dispose(),Me.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Aa),le.removeEventListener("sessionend",Ai),Wi.
-stop()};function Oe(E){E.preventDefault(),Ku("WebGLRenderer: Context Lost."),P=!0}function Je(){Ku("WebGLRenderer: Context Restored."),P=!1;let E=Lt.autoReset,k=pe.
-enabled,j=pe.autoUpdate,$=pe.needsUpdate,Z=pe.type;Ze(),Lt.autoReset=E,pe.enabled=k,pe.autoUpdate=j,pe.needsUpdate=$,pe.type=Z}function Ce(E){Ke("WebGLRenderer:\
- A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){Pn(E),ze.
-remove(E)}function Pn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
-function(E,k,j,$,Z,Te){k===null&&(k=cn);let Pe=Z.isMesh&&Z.matrixWorld.determinantAffine()<0,Ae=go(E,k,j,$,Z);Se.setMaterial($,Pe);let Ie=j.index,ke=1;if($.wireframe===
-!0){if(Ie=q.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
+"webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),L.dispose(),
+he.dispose(),$.dispose(),be.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Aa),le.removeEventListener("sessionend",Ai),Wi.
+stop()};function Oe(E){E.preventDefault(),ju("WebGLRenderer: Context Lost."),I=!0}function Je(){ju("WebGLRenderer: Context Restored."),I=!1;let E=Lt.autoReset,k=pe.
+enabled,j=pe.autoUpdate,q=pe.needsUpdate,Z=pe.type;Ze(),Lt.autoReset=E,pe.enabled=k,pe.autoUpdate=j,pe.needsUpdate=q,pe.type=Z}function Ce(E){Ke("WebGLRenderer:\
+ A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){Rn(E),ze.
+remove(E)}function Rn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
+function(E,k,j,q,Z,Te){k===null&&(k=cn);let Pe=Z.isMesh&&Z.matrixWorld.determinantAffine()<0,Ae=xo(E,k,j,q,Z);Se.setMaterial(q,Pe);let Ie=j.index,ke=1;if(q.wireframe===
+!0){if(Ie=$.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
 Math.max(Be,Te.start*ke),ft=Math.min(ft,(Te.start+Te.count)*ke)),Ie!==null?(Be=Math.max(Be,0),ft=Math.min(ft,Ie.count)):dt!=null&&(Be=Math.max(Be,0),ft=Math.min(
-ft,dt.count));let Xt=ft-Be;if(Xt<0||Xt===1/0)return;Me.setup(Z,$,Ae,j,Ie);let Et,Ct=ne;if(Ie!==null&&(Et=w.get(Ie),Ct=we,Ct.setIndex(Et)),Z.isMesh)$.wireframe===
-!0?(Se.setLineWidth($.wireframeLinewidth*en()),Ct.setMode(B.LINES)):Ct.setMode(B.TRIANGLES);else if(Z.isLine){let hn=$.linewidth;hn===void 0&&(hn=1),Se.setLineWidth(
+ft,dt.count));let Xt=ft-Be;if(Xt<0||Xt===1/0)return;be.setup(Z,q,Ae,j,Ie);let Et,Ct=ne;if(Ie!==null&&(Et=T.get(Ie),Ct=we,Ct.setIndex(Et)),Z.isMesh)q.wireframe===
+!0?(Se.setLineWidth(q.wireframeLinewidth*en()),Ct.setMode(B.LINES)):Ct.setMode(B.TRIANGLES);else if(Z.isLine){let hn=q.linewidth;hn===void 0&&(hn=1),Se.setLineWidth(
 hn*en()),Z.isLineSegments?Ct.setMode(B.LINES):Z.isLineLoop?Ct.setMode(B.LINE_LOOP):Ct.setMode(B.LINE_STRIP)}else Z.isPoints?Ct.setMode(B.POINTS):Z.isSprite&&Ct.
-setMode(B.TRIANGLES);if(Z.isBatchedMesh)if(qe.get("WEBGL_multi_draw"))Ct.renderMultiDraw(Z._multiDrawStarts,Z._multiDrawCounts,Z._multiDrawCount);else{let hn=Z.
-_multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?w.get(Ie).bytesPerElement:1,qi=ze.get($).currentProgram.getUniforms();for(let nn=0;nn<tn;nn++)
-qi.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstancedMesh)Ct.renderInstances(Be,Xt,Z.count);else if(j.isInstancedBufferGeometry){let hn=j.
-_maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function fo(E,k,j,$){F!==
-null&&E.isNodeMaterial&&F.setObject($,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===zi&&E.forceSinglePass===!1?(E.side=kn,E.needsUpdate=!0,Ei(E,k,
-$),E.side=Ds,E.needsUpdate=!0,Ei(E,k,$),E.side=zi):Ei(E,k,$)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),T=te.get(j),T.init(
-k),b.push(T),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
-Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),T.setupLights(),F!==null&&F.updateLights(T.state.lightsArray),Qt=this.localClippingEnabled,
-Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(T.state.shadowsArray,j,k);let $=new Set;return E.traverse(
-function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];fo(
-Ae,j,k,Z),$.add(Ae)}else fo(Te,j,k,Z),$.add(Te)}),T=b.pop(),F!==null&&F.renderEnd(),$},this.compileAsync=function(E,k,j=null){let $=this.compile(E,k,j);return new Promise(
-Z=>{function Te(){if($.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&$.delete(Pe)}),$.size===0){Z(E);return}setTimeout(Te,10)}
-qe.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let lr=null;function oh(E){lr&&lr(E)}function Aa(){Wi.stop()}function Ai(){Wi.start()}let Wi=new Mg;
-Wi.setAnimationLoop(oh),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){lr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
+setMode(B.TRIANGLES);if(Z.isBatchedMesh)if($e.get("WEBGL_multi_draw"))Ct.renderMultiDraw(Z._multiDrawStarts,Z._multiDrawCounts,Z._multiDrawCount);else{let hn=Z.
+_multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?T.get(Ie).bytesPerElement:1,$i=ze.get(q).currentProgram.getUniforms();for(let nn=0;nn<tn;nn++)
+$i.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstancedMesh)Ct.renderInstances(Be,Xt,Z.count);else if(j.isInstancedBufferGeometry){let hn=j.
+_maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function mo(E,k,j,q){F!==
+null&&E.isNodeMaterial&&F.setObject(q,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===zi&&E.forceSinglePass===!1?(E.side=Bn,E.needsUpdate=!0,Ei(E,k,
+q),E.side=Us,E.needsUpdate=!0,Ei(E,k,q),E.side=zi):Ei(E,k,q)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),S=te.get(j),S.init(
+k),M.push(S),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
+Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),S.setupLights(),F!==null&&F.updateLights(S.state.lightsArray),Qt=this.localClippingEnabled,
+Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(S.state.shadowsArray,j,k);let q=new Set;return E.traverse(
+function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];mo(
+Ae,j,k,Z),q.add(Ae)}else mo(Te,j,k,Z),q.add(Te)}),S=M.pop(),F!==null&&F.renderEnd(),q},this.compileAsync=function(E,k,j=null){let q=this.compile(E,k,j);return new Promise(
+Z=>{function Te(){if(q.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&q.delete(Pe)}),q.size===0){Z(E);return}setTimeout(Te,10)}
+$e.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let cr=null;function ah(E){cr&&cr(E)}function Aa(){Wi.stop()}function Ai(){Wi.start()}let Wi=new Tg;
+Wi.setAnimationLoop(ah),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){cr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
 "sessionstart",Aa),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
-tance of THREE.Camera.");return}if(P===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,$=L!==null&&(ce===null||j)&&L.begin(R,
+tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,q=P!==null&&(ce===null||j)&&P.begin(R,
 ce);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===
-!0&&(L===null||L.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),T=te.get(E,b.
-length),T.init(k),T.state.textureUnits=Xe.getTextureUnits(),b.push(T),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
-k):et.setFromProjectionMatrix(Pt,li,k.reversedDepth),Qt=this.localClippingEnabled,Ut=ie.init(this.clippingPlanes,Qt),C=ye.get(E,x.length),C.init(),x.push(C),this.
+!0&&(P===null||P.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),S=te.get(E,M.
+length),S.init(k),S.state.textureUnits=Xe.getTextureUnits(),M.push(S),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
+k):et.setFromProjectionMatrix(Pt,ci,k.reversedDepth),Qt=this.localClippingEnabled,Ut=ie.init(this.clippingPlanes,Qt),C=ye.get(E,_.length),C.init(),_.push(C),this.
 info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Pe=R.xr.getDepthSensingMesh();Pe!==null&&Xi(Pe,k,-1/0,R.sortObjects)}Xi(E,k,0,R.sortObjects),C.finish(),
-F!==null&&F.updateLights(T.state.lightsArray),R.sortObjects===!0&&C.sort(He,nt),qt=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,qt&&O.addToRenderList(
-C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=T.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),($&&L.hasRenderPass())===
-!1){let Pe=C.opaque,Ae=C.transmissive;if(T.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
-Pe,Ae,E,dt)}qt&&O.render(E);for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];po(C,E,dt,dt.viewport)}}else Ae.length>0&&di(Pe,Ae,E,k),qt&&O.render(E),po(C,E,k)}
-ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),$&&L.end(R),E.isScene===!0&&E.onAfterRender(R,E,k),Me.resetDefaultState(),
-K=-1,Q=null,b.pop(),b.length>0?(T=b[b.length-1],Xe.setTextureUnits(T.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,T.state.camera)):T=null,x.pop(),
-x.length>0?C=x[x.length-1]:C=null,F!==null&&F.renderEnd()};function Xi(E,k,j,$){if(E.visible===!1)return;if(E.layers.test(k.layers)){if(E.isGroup)j=E.renderOrder;else if(E.
-isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)T.pushLight(E),E.castShadow&&T.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
-E.intersectsFrustum(Pe)){$&&vt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=he.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}else if(E.
-isMesh||E.isLine||E.isPoints){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||E.intersectsFrustum(Pe)){let Ae=he.update(E),Ie=E.material;if($&&(E.boundingSphere!==
+F!==null&&F.updateLights(S.state.lightsArray),R.sortObjects===!0&&C.sort(He,nt),$t=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,$t&&O.addToRenderList(
+C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=S.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),(q&&P.hasRenderPass())===
+!1){let Pe=C.opaque,Ae=C.transmissive;if(S.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
+Pe,Ae,E,dt)}$t&&O.render(E);for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];go(C,E,dt,dt.viewport)}}else Ae.length>0&&di(Pe,Ae,E,k),$t&&O.render(E),go(C,E,k)}
+ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),q&&P.end(R),E.isScene===!0&&E.onAfterRender(R,E,k),be.resetDefaultState(),
+K=-1,Q=null,M.pop(),M.length>0?(S=M[M.length-1],Xe.setTextureUnits(S.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,S.state.camera)):S=null,_.pop(),
+_.length>0?C=_[_.length-1]:C=null,F!==null&&F.renderEnd()};function Xi(E,k,j,q){if(E.visible===!1)return;if(E.layers.test(k.layers)){if(E.isGroup)j=E.renderOrder;else if(E.
+isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)S.pushLight(E),E.castShadow&&S.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
+E.intersectsFrustum(Pe)){q&&vt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=he.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}else if(E.
+isMesh||E.isLine||E.isPoints){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||E.intersectsFrustum(Pe)){let Ae=he.update(E),Ie=E.material;if(q&&(E.boundingSphere!==
 void 0?(E.boundingSphere===null&&E.computeBoundingSphere(),vt.copy(E.boundingSphere.center)):(Ae.boundingSphere===null&&Ae.computeBoundingSphere(),vt.copy(Ae.boundingSphere.
 center)),vt.applyMatrix4(E.matrixWorld).applyMatrix4(Pt)),Array.isArray(Ie)){let ke=Ae.groups;for(let je=0,dt=ke.length;je<dt;je++){let Be=ke[je],ft=Ie[Be.materialIndex];
 ft&&ft.visible&&C.push(E,Ae,ft,j,vt.z,Be,k)}}else Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}}let Te=E.children;for(let Pe=0,Ae=Te.length;Pe<Ae;Pe++)Xi(Te[Pe],k,
-j,$)}function po(E,k,j,$){let{opaque:Z,transmissive:Te,transparent:Pe}=E;T.setupLightsView(j),Ut===!0&&ie.setGlobalState(R.clippingPlanes,j),$&&Se.viewport(se.copy(
-$)),Z.length>0&&$t(Z,k,j),Te.length>0&&$t(Te,k,j),Pe.length>0&&$t(Pe,k,j),Se.buffers.depth.setTest(!0),Se.buffers.depth.setMask(!0),Se.buffers.color.setMask(!0),
-Se.setPolygonOffset(!1)}function di(E,k,j,$){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(T.state.transmissionRenderTarget[$.id]===void 0){let Be=qe.
-has("EXT_color_buffer_half_float")||qe.has("EXT_color_buffer_float");T.state.transmissionRenderTarget[$.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:hs,
+j,q)}function go(E,k,j,q){let{opaque:Z,transmissive:Te,transparent:Pe}=E;S.setupLightsView(j),Ut===!0&&ie.setGlobalState(R.clippingPlanes,j),q&&Se.viewport(se.copy(
+q)),Z.length>0&&qt(Z,k,j),Te.length>0&&qt(Te,k,j),Pe.length>0&&qt(Pe,k,j),Se.buffers.depth.setTest(!0),Se.buffers.depth.setMask(!0),Se.buffers.color.setMask(!0),
+Se.setPolygonOffset(!1)}function di(E,k,j,q){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(S.state.transmissionRenderTarget[q.id]===void 0){let Be=$e.
+has("EXT_color_buffer_half_float")||$e.has("EXT_color_buffer_float");S.state.transmissionRenderTarget[q.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:hs,
 samples:Math.max(4,it.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:_t.
-workingColorSpace})}let Te=T.state.transmissionRenderTarget[$.id],Pe=$.viewport||se;Te.setSize(Pe.z*R.transmissionResolutionScale,Pe.w*R.transmissionResolutionScale);
+workingColorSpace})}let Te=S.state.transmissionRenderTarget[q.id],Pe=q.viewport||se;Te.setSize(Pe.z*R.transmissionResolutionScale,Pe.w*R.transmissionResolutionScale);
 let Ae=R.getRenderTarget(),Ie=R.getActiveCubeFace(),ke=R.getActiveMipmapLevel();R.setRenderTarget(Te),R.getClearColor(ee),me=R.getClearAlpha(),me<1&&R.setClearColor(
-16777215,.5),R.clear(),qt&&O.render(j);let je=R.toneMapping;R.toneMapping=Vi;let dt=$.viewport;if($.viewport!==void 0&&($.viewport=void 0),T.setupLightsView($),
-Ut===!0&&ie.setGlobalState(R.clippingPlanes,$),$t(E,j,$),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),qe.has("WEBGL_multisampled_render_\
-to_texture")===!1){let Be=!1;for(let ft=0,Xt=k.length;ft<Xt;ft++){let Et=k[ft],{object:Ct,geometry:hn,material:Ue,group:tn}=Et;if(Ue.side===zi&&Ct.layers.test($.
-layers)){let mt=Ue.side;Ue.side=kn,Ue.needsUpdate=!0,Kt(Ct,j,$,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
-Te))}R.setRenderTarget(Ae,Ie,ke),R.setClearColor(ee,me),dt!==void 0&&($.viewport=dt),R.toneMapping=je}function $t(E,k,j){let $=k.isScene===!0?k.overrideMaterial:
-null;for(let Z=0,Te=E.length;Z<Te;Z++){let Pe=E[Z],{object:Ae,geometry:Ie,group:ke}=Pe,je=Pe.material;je.allowOverride===!0&&$!==null&&(je=$),Ae.layers.test(j.layers)&&
-Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,$,Z,Te){F!==null&&Z.isNodeMaterial&&F.setObject(E,Z),E.onBeforeRender(R,k,j,$,Z,Te),E.modelViewMatrix.multiplyMatrices(j.
-matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(R,k,j,$,E,Te),Z.transparent===!0&&Z.side===zi&&Z.forceSinglePass===
-!1?(Z.side=kn,Z.needsUpdate=!0,R.renderBufferDirect(j,k,$,Z,E,Te),Z.side=Ds,Z.needsUpdate=!0,R.renderBufferDirect(j,k,$,Z,E,Te),Z.side=zi):R.renderBufferDirect(
-j,k,$,Z,E,Te),E.onAfterRender(R,k,j,$,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let $=ze.
-get(E),Z=T.state.lights,Te=T.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,T.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
-ke=$.programs;$.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?k.environment:null,$.fog=k.fog;let je=E.isMeshStandardMaterial||
-E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;$.envMap=I.get(E.envMap||$.environment,je),$.envMapRotation=$.environment!==null&&E.envMap===
-null?k.environmentRotation:E.envMapRotation,ke===void 0&&(E.addEventListener("dispose",ot),ke=new Map,$.programs=ke,$.programVariants=new Map);let dt=ke.get(Ie);
-if(dt!==void 0){if($.currentProgram===dt&&$.lightsStateVersion===Pe)return mo(E,Ae),dt}else Ae.uniforms=oe.getUniforms(E),F!==null&&E.isNodeMaterial&&F.build(E,
-j,Ae),E.onBeforeCompile(Ae,R),dt=oe.acquireProgram(Ae,Ie),ke.set(Ie,dt),$.uniforms=Ae.uniforms;let Be=$.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||
-E.clipping===!0)&&(Be.clippingPlanes=ie.uniform),mo(E,Ae),$.needsLights=ps(E),$.lightsStateVersion=Pe,$.needsLights&&(Be.ambientLightColor.value=Z.state.ambient,
+16777215,.5),R.clear(),$t&&O.render(j);let je=R.toneMapping;R.toneMapping=Vi;let dt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),S.setupLightsView(q),
+Ut===!0&&ie.setGlobalState(R.clippingPlanes,q),qt(E,j,q),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),$e.has("WEBGL_multisampled_render_\
+to_texture")===!1){let Be=!1;for(let ft=0,Xt=k.length;ft<Xt;ft++){let Et=k[ft],{object:Ct,geometry:hn,material:Ue,group:tn}=Et;if(Ue.side===zi&&Ct.layers.test(q.
+layers)){let mt=Ue.side;Ue.side=Bn,Ue.needsUpdate=!0,Kt(Ct,j,q,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
+Te))}R.setRenderTarget(Ae,Ie,ke),R.setClearColor(ee,me),dt!==void 0&&(q.viewport=dt),R.toneMapping=je}function qt(E,k,j){let q=k.isScene===!0?k.overrideMaterial:
+null;for(let Z=0,Te=E.length;Z<Te;Z++){let Pe=E[Z],{object:Ae,geometry:Ie,group:ke}=Pe,je=Pe.material;je.allowOverride===!0&&q!==null&&(je=q),Ae.layers.test(j.layers)&&
+Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,q,Z,Te){F!==null&&Z.isNodeMaterial&&F.setObject(E,Z),E.onBeforeRender(R,k,j,q,Z,Te),E.modelViewMatrix.multiplyMatrices(j.
+matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(R,k,j,q,E,Te),Z.transparent===!0&&Z.side===zi&&Z.forceSinglePass===
+!1?(Z.side=Bn,Z.needsUpdate=!0,R.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Us,Z.needsUpdate=!0,R.renderBufferDirect(j,k,q,Z,E,Te),Z.side=zi):R.renderBufferDirect(
+j,k,q,Z,E,Te),E.onAfterRender(R,k,j,q,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let q=ze.
+get(E),Z=S.state.lights,Te=S.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,S.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
+ke=q.programs;q.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?k.environment:null,q.fog=k.fog;let je=E.isMeshStandardMaterial||
+E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;q.envMap=L.get(E.envMap||q.environment,je),q.envMapRotation=q.environment!==null&&E.envMap===
+null?k.environmentRotation:E.envMapRotation,ke===void 0&&(E.addEventListener("dispose",ot),ke=new Map,q.programs=ke,q.programVariants=new Map);let dt=ke.get(Ie);
+if(dt!==void 0){if(q.currentProgram===dt&&q.lightsStateVersion===Pe)return _o(E,Ae),dt}else Ae.uniforms=oe.getUniforms(E),F!==null&&E.isNodeMaterial&&F.build(E,
+j,Ae),E.onBeforeCompile(Ae,R),dt=oe.acquireProgram(Ae,Ie),ke.set(Ie,dt),q.uniforms=Ae.uniforms;let Be=q.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||
+E.clipping===!0)&&(Be.clippingPlanes=ie.uniform),_o(E,Ae),q.needsLights=ms(E),q.lightsStateVersion=Pe,q.needsLights&&(Be.ambientLightColor.value=Z.state.ambient,
 Be.lightProbe.value=Z.state.probe,Be.sunLights.value=Z.state.sun,Be.sunLightShadows.value=Z.state.sunShadow,Be.directionalLights.value=Z.state.directional,Be.directionalLightShadows.
 value=Z.state.directionalShadow,Be.spotLights.value=Z.state.spot,Be.spotLightShadows.value=Z.state.spotShadow,Be.rectAreaLights.value=Z.state.rectArea,Be.ltc_1.
 value=Z.state.rectAreaLTC1,Be.ltc_2.value=Z.state.rectAreaLTC2,Be.pointLights.value=Z.state.point,Be.pointLightShadows.value=Z.state.pointShadow,Be.hemisphereLights.
 value=Z.state.hemi,Be.sunShadowMatrix.value=Z.state.sunShadowMatrix,Be.sunShadowCascade.value=Z.state.sunShadowCascade,Be.directionalShadowMatrix.value=Z.state.
 directionalShadowMatrix,Be.spotLightMatrix.value=Z.state.spotLightMatrix,Be.spotLightMap.value=Z.state.spotLightMap,Be.pointShadowMatrix.value=Z.state.pointShadowMatrix),
-$.numLightProbeGrids=jt(T.state.lightProbeGridArray),$.currentProgram=dt,$.uniformsList=null,dt}function Wn(E,k,j,$,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
-","+$+","+Z,Ae=Te.programVariants.get(Pe);return Ae===void 0?(Ae=Ei(E,k,j),Te.programVariants.set(Pe,Ae)):(Te.currentProgram=Ae,Te.uniformsList=null,Te.outputColorSpace=
-$,Te.toneMapping=Z),Ae}function fs(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=ao.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
-function mo(E,k){let j=ze.get(E);j.outputColorSpace=k.outputColorSpace,j.batching=k.batching,j.batchingColor=k.batchingColor,j.instancing=k.instancing,j.instancingColor=
+q.numLightProbeGrids=jt(S.state.lightProbeGridArray),q.currentProgram=dt,q.uniformsList=null,dt}function Wn(E,k,j,q,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
+","+q+","+Z,Ae=Te.programVariants.get(Pe);return Ae===void 0?(Ae=Ei(E,k,j),Te.programVariants.set(Pe,Ae)):(Te.currentProgram=Ae,Te.uniformsList=null,Te.outputColorSpace=
+q,Te.toneMapping=Z),Ae}function ps(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=lo.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
+function _o(E,k){let j=ze.get(E);j.outputColorSpace=k.outputColorSpace,j.batching=k.batching,j.batchingColor=k.batchingColor,j.instancing=k.instancing,j.instancingColor=
 k.instancingColor,j.instancingMorph=k.instancingMorph,j.skinning=k.skinning,j.morphTargets=k.morphTargets,j.morphNormals=k.morphNormals,j.morphColors=k.morphColors,
 j.morphTargetsCount=k.morphTargetsCount,j.numClippingPlanes=k.numClippingPlanes,j.numIntersection=k.numClipIntersection,j.vertexAlphas=k.vertexAlphas,j.vertexTangents=
-k.vertexTangents,j.toneMapping=k.toneMapping}function go(E,k,j,$,Z){k.isScene!==!0&&(k=cn),Xe.resetTextureUnits();let Te=k.fog,Pe=$.isMeshStandardMaterial||$.isMeshLambertMaterial||
-$.isMeshPhongMaterial?k.environment:null,Ae=ce===null?R.outputColorSpace:ce.isXRRenderTarget===!0?ce.texture.colorSpace:_t.workingColorSpace,Ie=$.isMeshStandardMaterial||
-$.isMeshLambertMaterial&&!$.envMap||$.isMeshPhongMaterial&&!$.envMap,ke=I.get($.envMap||Pe,Ie),je=$.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.
-itemSize===4,dt=!!j.attributes.tangent&&(!!$.normalMap||$.anisotropy>0),Be=!!j.morphAttributes.position,ft=!!j.morphAttributes.normal,Xt=!!j.morphAttributes.color,
-Et=Vi;$.toneMapped&&(ce===null||ce.isXRRenderTarget===!0)&&(Et=R.toneMapping);let Ct=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,
-hn=Ct!==void 0?Ct.length:0,Ue=ze.get($),tn=T.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&$.id===K;ie.setState($,E,Rt)}let mt=!1,qi=!1;$.version===Ue.
+k.vertexTangents,j.toneMapping=k.toneMapping}function xo(E,k,j,q,Z){k.isScene!==!0&&(k=cn),Xe.resetTextureUnits();let Te=k.fog,Pe=q.isMeshStandardMaterial||q.isMeshLambertMaterial||
+q.isMeshPhongMaterial?k.environment:null,Ae=ce===null?R.outputColorSpace:ce.isXRRenderTarget===!0?ce.texture.colorSpace:_t.workingColorSpace,Ie=q.isMeshStandardMaterial||
+q.isMeshLambertMaterial&&!q.envMap||q.isMeshPhongMaterial&&!q.envMap,ke=L.get(q.envMap||Pe,Ie),je=q.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.
+itemSize===4,dt=!!j.attributes.tangent&&(!!q.normalMap||q.anisotropy>0),Be=!!j.morphAttributes.position,ft=!!j.morphAttributes.normal,Xt=!!j.morphAttributes.color,
+Et=Vi;q.toneMapped&&(ce===null||ce.isXRRenderTarget===!0)&&(Et=R.toneMapping);let Ct=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,
+hn=Ct!==void 0?Ct.length:0,Ue=ze.get(q),tn=S.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&q.id===K;ie.setState(q,E,Rt)}let mt=!1,$i=!1;q.version===Ue.
 __version?Ue.needsLights&&Ue.lightsStateVersion!==tn.state.version||Z.isBatchedMesh&&Ue.batching===!1||!Z.isBatchedMesh&&Ue.batching===!0||Z.isBatchedMesh&&Ue.batchingColor===
 !0&&Z._colorsTexture===null||Z.isBatchedMesh&&Ue.batchingColor===!1&&Z._colorsTexture!==null||Z.isInstancedMesh&&Ue.instancing===!1||!Z.isInstancedMesh&&Ue.instancing===
 !0||Z.isSkinnedMesh&&Ue.skinning===!1||!Z.isSkinnedMesh&&Ue.skinning===!0||Z.isInstancedMesh&&Ue.instancingColor===!0&&Z.instanceColor===null||Z.isInstancedMesh&&
 Ue.instancingColor===!1&&Z.instanceColor!==null||Z.isInstancedMesh&&Ue.instancingMorph===!0&&Z.morphTexture===null||Z.isInstancedMesh&&Ue.instancingMorph===!1&&
-Z.morphTexture!==null||Ue.envMap!==ke||$.fog===!0&&Ue.fog!==Te||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==ie.numPlanes||Ue.numIntersection!==ie.numIntersection)||
+Z.morphTexture!==null||Ue.envMap!==ke||q.fog===!0&&Ue.fog!==Te||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==ie.numPlanes||Ue.numIntersection!==ie.numIntersection)||
 Ue.vertexAlphas!==je||Ue.vertexTangents!==dt||Ue.morphTargets!==Be||Ue.morphNormals!==ft||Ue.morphColors!==Xt||Ue.morphTargetsCount!==hn||Ue.numLightProbeGrids!==
-jt(T.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&(qi=!0):(mt=!0,Ue.__version=$.version);let nn=Ue.currentProgram;(mt===!0||
-qi===!0)&&(nn=qi===!0?Wn($,k,Z,Ae,Et):Ei($,k,Z),F&&$.isNodeMaterial&&F.onUpdateProgram($,nn,Ue));let ur=!1,Ci=!1,$i=!1,ct=nn.getUniforms(),Yt=Ue.uniforms;if(Se.
-useProgram(nn.program)&&(ur=!0,Ci=!0,$i=!0),$.id!==K&&(K=$.id,Ci=!0),ur||Q!==E){Se.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),
+jt(S.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&($i=!0):(mt=!0,Ue.__version=q.version);let nn=Ue.currentProgram;(mt===!0||
+$i===!0)&&(nn=$i===!0?Wn(q,k,Z,Ae,Et):Ei(q,k,Z),F&&q.isNodeMaterial&&F.onUpdateProgram(q,nn,Ue));let dr=!1,Ci=!1,qi=!1,ct=nn.getUniforms(),Yt=Ue.uniforms;if(Se.
+useProgram(nn.program)&&(dr=!0,Ci=!0,qi=!0),q.id!==K&&(K=q.id,Ci=!0),dr||Q!==E){Se.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),
 ct.setValue(B,"projectionMatrix",E.projectionMatrix),ct.setValue(B,"viewMatrix",E.matrixWorldInverse);let sn=ct.map.cameraPosition;sn!==void 0&&sn.setValue(B,gn.
-setFromMatrixPosition(E.matrixWorld)),it.logarithmicDepthBuffer&&ct.setValue(B,"logDepthBufFC",2/(Math.log(E.far+1)/Math.LN2)),($.isMeshPhongMaterial||$.isMeshToonMaterial||
-$.isMeshLambertMaterial||$.isMeshBasicMaterial||$.isMeshStandardMaterial||$.isShaderMaterial)&&ct.setValue(B,"isOrthographic",E.isOrthographicCamera===!0),Q!==E&&
-(Q=E,Ci=!0,$i=!0)}if(Ue.needsLights&&(tn.state.sunShadowMap.length>0&&ct.setValue(B,"sunShadowMap",tn.state.sunShadowMap,Xe),tn.state.directionalShadowMap.length>
+setFromMatrixPosition(E.matrixWorld)),it.logarithmicDepthBuffer&&ct.setValue(B,"logDepthBufFC",2/(Math.log(E.far+1)/Math.LN2)),(q.isMeshPhongMaterial||q.isMeshToonMaterial||
+q.isMeshLambertMaterial||q.isMeshBasicMaterial||q.isMeshStandardMaterial||q.isShaderMaterial)&&ct.setValue(B,"isOrthographic",E.isOrthographicCamera===!0),Q!==E&&
+(Q=E,Ci=!0,qi=!0)}if(Ue.needsLights&&(tn.state.sunShadowMap.length>0&&ct.setValue(B,"sunShadowMap",tn.state.sunShadowMap,Xe),tn.state.directionalShadowMap.length>
 0&&ct.setValue(B,"directionalShadowMap",tn.state.directionalShadowMap,Xe),tn.state.spotShadowMap.length>0&&ct.setValue(B,"spotShadowMap",tn.state.spotShadowMap,
 Xe),tn.state.pointShadowMap.length>0&&ct.setValue(B,"pointShadowMap",tn.state.pointShadowMap,Xe)),Z.isSkinnedMesh){ct.setOptional(B,Z,"bindMatrix"),ct.setOptional(
 B,Z,"bindMatrixInverse");let Rt=Z.skeleton;Rt&&(Rt.boneTexture===null&&Rt.computeBoneTexture(),ct.setValue(B,"boneTexture",Rt.boneTexture,Xe))}Z.isBatchedMesh&&
 (ct.setOptional(B,Z,"batchingTexture"),ct.setValue(B,"batchingTexture",Z._matricesTexture,Xe),ct.setOptional(B,Z,"batchingIdTexture"),ct.setValue(B,"batchingIdT\
-exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let In=j.
-morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
-Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),($.isMeshStandardMaterial||$.isMeshLambertMaterial||$.isMeshPhongMaterial)&&$.envMap===null&&k.environment!==
-null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=vw()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
-Ue.needsLights&&cr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,be,Ee,T.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
-Ue.numLightProbeGrids>0){let Rt=M,sn=0;for(let Tn of T.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
+exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let Pn=j.
+morphAttributes;if((Pn.position!==void 0||Pn.normal!==void 0||Pn.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
+Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==
+null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=ww()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
+Ue.needsLights&&hr(Yt,qi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,S.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
+Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of S.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
-value=Rt.max,Yt.probesResolution.value=Rt.resolution}ao.upload(B,fs(Ue),Yt,Xe)}if($.isShaderMaterial&&$.uniformsNeedUpdate===!0&&(ao.upload(B,fs(Ue),Yt,Xe),$.uniformsNeedUpdate=
-!1),$.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
-B,"modelMatrix",Z.matrixWorld),$.uniformsGroups!==void 0){let Rt=$.uniformsGroups;for(let sn=0,Tn=Rt.length;sn<Tn;sn++){let Ea=Rt[sn];Ge.update(Ea,nn),Ge.bind(Ea,
-nn)}}return nn}function cr(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.needsUpdate=k,E.sunLights.needsUpdate=k,E.sunLightShadows.needsUpdate=k,E.directionalLights.
+value=Rt.max,Yt.probesResolution.value=Rt.resolution}lo.upload(B,ps(Ue),Yt,Xe)}if(q.isShaderMaterial&&q.uniformsNeedUpdate===!0&&(lo.upload(B,ps(Ue),Yt,Xe),q.uniformsNeedUpdate=
+!1),q.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
+B,"modelMatrix",Z.matrixWorld),q.uniformsGroups!==void 0){let Rt=q.uniformsGroups;for(let sn=0,Tn=Rt.length;sn<Tn;sn++){let Ea=Rt[sn];Ge.update(Ea,nn),Ge.bind(Ea,
+nn)}}return nn}function hr(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.needsUpdate=k,E.sunLights.needsUpdate=k,E.sunLightShadows.needsUpdate=k,E.directionalLights.
 needsUpdate=k,E.directionalLightShadows.needsUpdate=k,E.pointLights.needsUpdate=k,E.pointLightShadows.needsUpdate=k,E.spotLights.needsUpdate=k,E.spotLightShadows.
-needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function ps(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
+needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function ms(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
 E.isMeshStandardMaterial||E.isShadowMaterial||E.isShaderMaterial&&E.lights===!0}this.getActiveCubeFace=function(){return Y},this.getActiveMipmapLevel=function(){
-return W},this.getRenderTarget=function(){return ce},this.setRenderTargetTextures=function(E,k,j){let $=ze.get(E);$.__autoAllocateDepthBuffer=E.resolveDepthBuffer===
-!1,$.__autoAllocateDepthBuffer===!1&&($.__useRenderToTexture=!1),ze.get(E.texture).__webglTexture=k,ze.get(E.depthTexture).__webglTexture=$.__autoAllocateDepthBuffer?
-void 0:j,$.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(E,k){let j=ze.get(E);j.__webglFramebuffer=k,j.__useDefaultFramebuffer=k===void 0},
-this.setRenderTarget=function(E,k=0,j=0){ce=E,Y=k,W=j;let $=null,Z=!1,Te=!1;if(E){let Ae=ze.get(E);if(Ae.__useDefaultFramebuffer!==void 0){Se.bindFramebuffer(B.
+return W},this.getRenderTarget=function(){return ce},this.setRenderTargetTextures=function(E,k,j){let q=ze.get(E);q.__autoAllocateDepthBuffer=E.resolveDepthBuffer===
+!1,q.__autoAllocateDepthBuffer===!1&&(q.__useRenderToTexture=!1),ze.get(E.texture).__webglTexture=k,ze.get(E.depthTexture).__webglTexture=q.__autoAllocateDepthBuffer?
+void 0:j,q.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(E,k){let j=ze.get(E);j.__webglFramebuffer=k,j.__useDefaultFramebuffer=k===void 0},
+this.setRenderTarget=function(E,k=0,j=0){ce=E,Y=k,W=j;let q=null,Z=!1,Te=!1;if(E){let Ae=ze.get(E);if(Ae.__useDefaultFramebuffer!==void 0){Se.bindFramebuffer(B.
 FRAMEBUFFER,Ae.__webglFramebuffer),se.copy(E.viewport),de.copy(E.scissor),ue=E.scissorTest,Se.viewport(se),Se.scissor(de),Se.setScissorTest(ue),K=-1;return}else if(Ae.
 __webglFramebuffer===void 0)Xe.setupRenderTarget(E);else if(Ae.__hasExternalTextures)Xe.rebindTextures(E,ze.get(E.texture).__webglTexture,ze.get(E.depthTexture).
 __webglTexture);else if(E.depthBuffer){let je=E.depthTexture;if(Ae.__boundDepthTexture!==je){if(je!==null&&ze.has(je)&&(E.width!==je.image.width||E.height!==je.
 image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Xe.setupDepthRenderbuffer(E)}}let Ie=E.texture;
 (Ie.isData3DTexture||Ie.isDataArrayTexture||Ie.isCompressedArrayTexture)&&(Te=!0);let ke=ze.get(E).__webglFramebuffer;E.isWebGLCubeRenderTarget?(Array.isArray(ke[k])?
-$=ke[k][j]:$=ke[k],Z=!0):E.samples>0&&Xe.useMultisampledRTT(E)===!1?$=ze.get(E).__webglMultisampledFramebuffer:Array.isArray(ke)?$=ke[j]:$=ke,se.copy(E.viewport),
-de.copy(E.scissor),ue=E.scissorTest}else se.copy(Ve).multiplyScalar(be).floor(),de.copy(ut).multiplyScalar(be).floor(),ue=lt;if(j!==0&&($=z),Se.bindFramebuffer(
-B.FRAMEBUFFER,$)&&Se.drawBuffers(E,$),Se.viewport(se),Se.scissor(de),Se.setScissorTest(ue),Z){let Ae=ze.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,
+q=ke[k][j]:q=ke[k],Z=!0):E.samples>0&&Xe.useMultisampledRTT(E)===!1?q=ze.get(E).__webglMultisampledFramebuffer:Array.isArray(ke)?q=ke[j]:q=ke,se.copy(E.viewport),
+de.copy(E.scissor),ue=E.scissorTest}else se.copy(Ve).multiplyScalar(Me).floor(),de.copy(ut).multiplyScalar(Me).floor(),ue=lt;if(j!==0&&(q=z),Se.bindFramebuffer(
+B.FRAMEBUFFER,q)&&Se.drawBuffers(E,q),Se.viewport(se),Se.scissor(de),Se.setScissorTest(ue),Z){let Ae=ze.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,
 B.TEXTURE_CUBE_MAP_POSITIVE_X+k,Ae.__webglTexture,j)}else if(Te){let Ae=k;for(let Ie=0;Ie<E.textures.length;Ie++){let ke=ze.get(E.textures[Ie]);B.framebufferTextureLayer(
 B.FRAMEBUFFER,B.COLOR_ATTACHMENT0+Ie,ke.__webglTexture,j,Ae)}}else if(E!==null&&j!==0){let Ae=ze.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,
-B.TEXTURE_2D,Ae.__webglTexture,j)}K=-1};function hr(E){let k=ze.get(E);return(k.__readFormat!==E.format||k.__readType!==E.type)&&(k.__readFormat=E.format,k.__readType=
-E.type,k.__formatReadable=it.textureFormatReadable(E.format),k.__typeReadable=it.textureTypeReadable(E.type)),k}this.readRenderTargetPixels=function(E,k,j,$,Z,Te,Pe,Ae=0){
+B.TEXTURE_2D,Ae.__webglTexture,j)}K=-1};function ur(E){let k=ze.get(E);return(k.__readFormat!==E.format||k.__readType!==E.type)&&(k.__readFormat=E.format,k.__readType=
+E.type,k.__formatReadable=it.textureFormatReadable(E.format),k.__typeReadable=it.textureTypeReadable(E.type)),k}this.readRenderTargetPixels=function(E,k,j,q,Z,Te,Pe,Ae=0){
 if(!(E&&E.isWebGLRenderTarget)){Ke("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Ie=ze.get(E).__webglFramebuffer;
 if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie){Se.bindFramebuffer(B.FRAMEBUFFER,Ie);try{let ke=E.textures[Ae],je=ke.format,
-dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=hr(ke);if(Be.__formatReadable===!1){Ke("WebGLRenderer.readRenderTargetPixels: render\
+dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=ur(ke);if(Be.__formatReadable===!1){Ke("WebGLRenderer.readRenderTargetPixels: render\
 Target is not in RGBA or implementation defined format.");return}if(Be.__typeReadable===!1){Ke("WebGLRenderer.readRenderTargetPixels: renderTarget is not in Uns\
-ignedByteType or implementation defined type.");return}k>=0&&k<=E.width-$&&j>=0&&j<=E.height-Z&&B.readPixels(k,j,$,Z,ge.convert(je),ge.convert(dt),Te)}finally{let ke=ce!==
-null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,ke)}}},this.readRenderTargetPixelsAsync=async function(E,k,j,$,Z,Te,Pe,Ae=0){if(!(E&&E.
+ignedByteType or implementation defined type.");return}k>=0&&k<=E.width-q&&j>=0&&j<=E.height-Z&&B.readPixels(k,j,q,Z,ge.convert(je),ge.convert(dt),Te)}finally{let ke=ce!==
+null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,ke)}}},this.readRenderTargetPixelsAsync=async function(E,k,j,q,Z,Te,Pe,Ae=0){if(!(E&&E.
 isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Ie=ze.get(E).__webglFramebuffer;
-if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie)if(k>=0&&k<=E.width-$&&j>=0&&j<=E.height-Z){Se.bindFramebuffer(B.FRAMEBUFFER,
-Ie);let ke=E.textures[Ae],je=ke.format,dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=hr(ke);if(Be.__formatReadable===!1)throw new Error(
+if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie)if(k>=0&&k<=E.width-q&&j>=0&&j<=E.height-Z){Se.bindFramebuffer(B.FRAMEBUFFER,
+Ie);let ke=E.textures[Ae],je=ke.format,dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=ur(ke);if(Be.__formatReadable===!1)throw new Error(
 "THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Be.__typeReadable===!1)throw new Error("THR\
 EE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ft=B.createBuffer();B.bindBuffer(B.PIXEL_PACK_BUFFER,
-ft),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(k,j,$,Z,ge.convert(je),ge.convert(dt),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let Xt=ce!==
-null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,Xt);let Et=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await $m(B,Et,4),
+ft),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(k,j,q,Z,ge.convert(je),ge.convert(dt),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let Xt=ce!==
+null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,Xt);let Et=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await Km(B,Et,4),
 B.bindBuffer(B.PIXEL_PACK_BUFFER,ft),B.getBufferSubData(B.PIXEL_PACK_BUFFER,0,Te),B.bindBuffer(B.PIXEL_PACK_BUFFER,null),B.deleteBuffer(ft),B.deleteSync(Et),Te}else
 throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(E,k=null,j=0){
-let $=Math.pow(2,-j),Z=Math.floor(E.image.width*$),Te=Math.floor(E.image.height*$),Pe=k!==null?k.x:0,Ae=k!==null?k.y:0;Xe.setTexture2D(E,0),B.copyTexSubImage2D(
-B.TEXTURE_2D,j,0,0,Pe,Ae,Z,Te),Se.unbindTexture()},this.copyTextureToTexture=function(E,k,j=null,$=null,Z=0,Te=0){let Pe,Ae,Ie,ke,je,dt,Be,ft,Xt,Et=E.isCompressedTexture?
+let q=Math.pow(2,-j),Z=Math.floor(E.image.width*q),Te=Math.floor(E.image.height*q),Pe=k!==null?k.x:0,Ae=k!==null?k.y:0;Xe.setTexture2D(E,0),B.copyTexSubImage2D(
+B.TEXTURE_2D,j,0,0,Pe,Ae,Z,Te),Se.unbindTexture()},this.copyTextureToTexture=function(E,k,j=null,q=null,Z=0,Te=0){let Pe,Ae,Ie,ke,je,dt,Be,ft,Xt,Et=E.isCompressedTexture?
 E.mipmaps[Te]:E.image;if(j!==null)Pe=j.max.x-j.min.x,Ae=j.max.y-j.min.y,Ie=j.isBox3?j.max.z-j.min.z:1,ke=j.min.x,je=j.min.y,dt=j.isBox3?j.min.z:0;else{let ct=Math.
 pow(2,-Z);Pe=Math.floor(Et.width*ct),Ae=Math.floor(Et.height*ct),E.isDataArrayTexture?Ie=Et.depth:E.isData3DTexture?Ie=Math.floor(Et.depth*ct):Ie=1,ke=0,je=0,dt=
-0}$!==null?(Be=$.x,ft=$.y,Xt=$.z):(Be=0,ft=0,Xt=0);let Ct=ge.convert(k.format),hn=ge.convert(k.type),Ue;k.isData3DTexture?(Xe.setTexture3D(k,0),Ue=B.TEXTURE_3D):
+0}q!==null?(Be=q.x,ft=q.y,Xt=q.z):(Be=0,ft=0,Xt=0);let Ct=ge.convert(k.format),hn=ge.convert(k.type),Ue;k.isData3DTexture?(Xe.setTexture3D(k,0),Ue=B.TEXTURE_3D):
 k.isDataArrayTexture||k.isCompressedArrayTexture?(Xe.setTexture2DArray(k,0),Ue=B.TEXTURE_2D_ARRAY):(Xe.setTexture2D(k,0),Ue=B.TEXTURE_2D),Se.activeTexture(B.TEXTURE0),
 Se.pixelStorei(B.UNPACK_FLIP_Y_WEBGL,k.flipY),Se.pixelStorei(B.UNPACK_PREMULTIPLY_ALPHA_WEBGL,k.premultiplyAlpha),Se.pixelStorei(B.UNPACK_ALIGNMENT,k.unpackAlignment);
-let tn=Se.getParameter(B.UNPACK_ROW_LENGTH),mt=Se.getParameter(B.UNPACK_IMAGE_HEIGHT),qi=Se.getParameter(B.UNPACK_SKIP_PIXELS),nn=Se.getParameter(B.UNPACK_SKIP_ROWS),
-ur=Se.getParameter(B.UNPACK_SKIP_IMAGES);Se.pixelStorei(B.UNPACK_ROW_LENGTH,Et.width),Se.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Et.height),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,
-ke),Se.pixelStorei(B.UNPACK_SKIP_ROWS,je),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,dt);let Ci=E.isDataArrayTexture||E.isData3DTexture,$i=k.isDataArrayTexture||k.isData3DTexture;
-if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),In=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);Se.bindFramebuffer(B.READ_FRAMEBUFFER,In.__webglFramebuffer),
+let tn=Se.getParameter(B.UNPACK_ROW_LENGTH),mt=Se.getParameter(B.UNPACK_IMAGE_HEIGHT),$i=Se.getParameter(B.UNPACK_SKIP_PIXELS),nn=Se.getParameter(B.UNPACK_SKIP_ROWS),
+dr=Se.getParameter(B.UNPACK_SKIP_IMAGES);Se.pixelStorei(B.UNPACK_ROW_LENGTH,Et.width),Se.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Et.height),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,
+ke),Se.pixelStorei(B.UNPACK_SKIP_ROWS,je),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,dt);let Ci=E.isDataArrayTexture||E.isData3DTexture,qi=k.isDataArrayTexture||k.isData3DTexture;
+if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),Pn=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);Se.bindFramebuffer(B.READ_FRAMEBUFFER,Pn.__webglFramebuffer),
 Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,Rt.__webglFramebuffer);for(let sn=0;sn<Ie;sn++)Ci&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(
 E).__webglTexture,Z,dt+sn),B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(k).__webglTexture,Te,Xt+sn)),B.blitFramebuffer(ke,je,ke+Pe,je+
 Ae,Be,ft,Be+Pe,ft+Ae,B.DEPTH_BUFFER_BIT,B.NEAREST);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else if(Z!==0||E.isRenderTargetTexture||
-ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let In=0;In<Ie;In++)Ci?B.framebufferTextureLayer(
-B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+In):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
-$i?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+In):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
-TEXTURE_2D,Yt.__webglTexture,Te),Z!==0?B.blitFramebuffer(ke,je,ke+Pe,je+Ae,Be,ft,Be+Pe,ft+Ae,B.COLOR_BUFFER_BIT,B.NEAREST):$i?B.copyTexSubImage3D(Ue,Te,Be,ft,Xt+
-In,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else $i?E.isDataTexture||
+ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let Pn=0;Pn<Ie;Pn++)Ci?B.framebufferTextureLayer(
+B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+Pn):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
+qi?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+Pn):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
+TEXTURE_2D,Yt.__webglTexture,Te),Z!==0?B.blitFramebuffer(ke,je,ke+Pe,je+Ae,Be,ft,Be+Pe,ft+Ae,B.COLOR_BUFFER_BIT,B.NEAREST):qi?B.copyTexSubImage3D(Ue,Te,Be,ft,Xt+
+Pn,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else qi?E.isDataTexture||
 E.isData3DTexture?B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et.data):k.isCompressedArrayTexture?B.compressedTexSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,Et.data):
 B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et):E.isDataTexture?B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et.data):E.isCompressedTexture?B.compressedTexSubImage2D(
 B.TEXTURE_2D,Te,Be,ft,Et.width,Et.height,Ct,Et.data):B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et);Se.pixelStorei(B.UNPACK_ROW_LENGTH,tn),Se.pixelStorei(
-B.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,qi),Se.pixelStorei(B.UNPACK_SKIP_ROWS,nn),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,ur),Te===0&&k.generateMipmaps===
+B.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,$i),Se.pixelStorei(B.UNPACK_SKIP_ROWS,nn),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,dr),Te===0&&k.generateMipmaps===
 !0&&k.mipmapsAutoUpdate===!0&&B.generateMipmap(Ue),Se.unbindTexture()},this.initRenderTarget=function(E){ze.get(E).__webglFramebuffer===void 0&&Xe.setupRenderTarget(
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
-Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,W=0,ce=null,Se.reset(),Me.reset()},typeof __THREE_DEVTOOLS__<"\
-u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return li}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
-this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var $c=0,Mw=1,bw=new V,Lg=new la,fd=new ei,Ng=new V,qc=new Ui,Yc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Zc,this.
-unassigned=new Zc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new pd(e[t]));this._compute()}
+Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,W=0,ce=null,Se.reset(),be.reset()},typeof __THREE_DEVTOOLS__<"\
+u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return ci}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
+this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var qc=0,Tw=1,Aw=new V,Fg=new ha,pd=new ei,Og=new V,$c=new Ui,Yc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Zc,this.
+unassigned=new Zc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new md(e[t]));this._compute()}
 return this}setFromObject(e){let t=[];return e.updateMatrixWorld(!0),e.traverse(function(n){let s=n.geometry;if(s!==void 0){let r=s.attributes.position;if(r!==void 0)
 for(let o=0,a=r.count;o<a;o++){let l=new V;l.fromBufferAttribute(r,o).applyMatrix4(n.matrixWorld),t.push(l)}}}),this.setFromPoints(t)}containsPoint(e){let t=this.
 faces;for(let n=0,s=t.length;n<s;n++)if(t[n].distanceToPoint(e)>this.tolerance)return!1;return!0}intersectRay(e,t){let n=this.faces,s=-1/0,r=1/0;for(let o=0,a=n.
 length;o<a;o++){let l=n[o],c=l.distanceToPoint(e.origin),d=l.normal.dot(e.direction);if(c>0&&d>=0)return null;let u=d!==0?-c/d:0;if(!(u<=0)&&(d>0?r=Math.min(u,r):
-s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,bw)!==null}makeEmpty(){return this.faces=[],this.
+s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Aw)!==null}makeEmpty(){return this.faces=[],this.
 vertices=[],this}_addVertexToFace(e,t){return e.face=t,t.outside===null?this.assigned.append(e):this.assigned.insertBefore(t.outside,e),t.outside=e,this}_removeVertexFromFace(e,t){
 return e===t.outside&&(e.next!==null&&e.next.face===t?t.outside=e.next:t.outside=null),this.assigned.remove(e),this}_removeAllVerticesFromFace(e){if(e.outside!==
 null){let t=e.outside,n=e.outside;for(;n.next!==null&&n.next.face===e;)n=n.next;return this.assigned.removeSubList(t,n),t.prev=n.next=null,e.outside=null,t}}_deleteFaceVertices(e,t){
 let n=this._removeAllVerticesFromFace(e);if(n!==void 0)if(t===void 0)this.unassigned.appendChain(n);else{let s=n;do{let r=s.next;t.distanceToPoint(s.point)>this.
 tolerance?this._addVertexToFace(s,t):this.unassigned.append(s),s=r}while(s!==null)}return this}_resolveUnassignedPoints(e){if(this.unassigned.isEmpty()===!1){let t=this.
-unassigned.first();do{let n=t.next,s=this.tolerance,r=null;for(let o=0;o<e.length;o++){let a=e[o];if(a.mark===$c){let l=a.distanceToPoint(t.point);if(l>s&&(s=l,
+unassigned.first();do{let n=t.next,s=this.tolerance,r=null;for(let o=0;o<e.length;o++){let a=e[o];if(a.mark===qc){let l=a.distanceToPoint(t.point);if(l>s&&(s=l,
 r=a),s>1e3*this.tolerance)break}}r!==null&&this._addVertexToFace(t,r),t=n}while(t!==null)}return this}_computeExtremes(){let e=new V,t=new V,n=[],s=[];for(let r=0;r<
 3;r++)n[r]=s[r]=this.vertices[0];e.copy(this.vertices[0].point),t.copy(this.vertices[0].point);for(let r=0,o=this.vertices.length;r<o;r++){let a=this.vertices[r],
 l=a.point;for(let c=0;c<3;c++)l.getComponent(c)<e.getComponent(c)&&(e.setComponent(c,l.getComponent(c)),n[c]=a);for(let c=0;c<3;c++)l.getComponent(c)>t.getComponent(
 c)&&(t.setComponent(c,l.getComponent(c)),s[c]=a)}return this.tolerance=3*Number.EPSILON*(Math.max(Math.abs(e.x),Math.abs(t.x))+Math.max(Math.abs(e.y),Math.abs(t.
 y))+Math.max(Math.abs(e.z),Math.abs(t.z))),{min:n,max:s}}_computeInitialHull(){let e=this.vertices,t=this._computeExtremes(),n=t.min,s=t.max,r=0,o=0;for(let h=0;h<
-3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Lg.set(a.point,l.point);for(let h=0,f=this.vertices.
-length;h<f;h++){let m=e[h];if(m!==a&&m!==l){Lg.closestPointToPoint(m.point,!0,Ng);let y=Ng.distanceToSquared(m.point);y>r&&(r=y,c=m)}}r=-1,fd.setFromCoplanarPoints(
-a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let m=e[h];if(m!==a&&m!==l&&m!==c){let y=Math.abs(fd.distanceToPoint(m.point));y>r&&(r=y,d=
-m)}}let u=[];if(fd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
+3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Fg.set(a.point,l.point);for(let h=0,f=this.vertices.
+length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Fg.closestPointToPoint(p.point,!0,Og);let y=Og.distanceToSquared(p.point);y>r&&(r=y,c=p)}}r=-1,pd.setFromCoplanarPoints(
+a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c){let y=Math.abs(pd.distanceToPoint(p.point));y>r&&(r=y,d=
+p)}}let u=[];if(pd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ti.create(a,c,l),Ti.create(d,a,l),Ti.create(d,l,c),Ti.create(d,
 c,a));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+1].getEdge(2).setTwin(u[0].getEdge((3-h)%3)),u[h+1].getEdge(0).setTwin(u[f+1].getEdge(1))}}for(let h=0;h<4;h++)this.
-faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let m=e[h];if(m!==a&&m!==l&&m!==c&&m!==d){r=this.tolerance;let y=null;for(let p=0;p<4;p++){let g=this.faces[p].
-distanceToPoint(m.point);g>r&&(r=g,y=this.faces[p])}y!==null&&this._addVertexToFace(m,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
-let n=this.faces[t];n.mark===$c&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
+faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let m=0;m<4;m++){let g=this.faces[m].
+distanceToPoint(p.point);g>r&&(r=g,y=this.faces[m])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
+let n=this.faces[t];n.mark===qc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
-mark=Mw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===$c&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
+mark=Tw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
 r)),r=r.next}while(r!==t);return this}_addAdjoiningFace(e,t){let n=Ti.create(e,t.tail(),t.head());return this.faces.push(n),n.getEdge(-1).setTwin(t.twin),n.getEdge(
 0)}_addNewFaces(e,t){this.newFaces=[];let n=null,s=null;for(let r=0;r<t.length;r++){let o=t[r],a=this._addAdjoiningFace(e,o);n===null?n=a:a.next.setTwin(s),this.
 newFaces.push(a.face),s=a}return n.next.setTwin(s),this}_addVertexToHull(e){let t=[];return this.unassigned.clear(),this._removeVertexFromFace(e,e.face),this._computeHorizon(
 e.point,null,e.face,t),this._addNewFaces(e,t),this._resolveUnassignedPoints(this.newFaces),this}_cleanup(){return this.assigned.clear(),this.unassigned.clear(),
 this.newFaces=[],this}_compute(){let e;for(this._computeInitialHull();(e=this._nextVertexToAdd())!==void 0;)this._addVertexToHull(e);return this._reindexFaces(),
-this._cleanup(),this}},Ti=class i{constructor(){this.normal=new V,this.midpoint=new V,this.area=0,this.constant=0,this.outside=null,this.mark=$c,this.edge=null}static create(e,t,n){
-let s=new i,r=new Sa(e,s),o=new Sa(t,s),a=new Sa(n,s);return r.next=a.prev=o,o.next=r.prev=a,a.next=o.prev=r,s.edge=r,s.compute()}getEdge(e){let t=this.edge;for(;e>
-0;)t=t.next,e--;for(;e<0;)t=t.prev,e++;return t}compute(){let e=this.edge.tail(),t=this.edge.head(),n=this.edge.next.head();return qc.set(e.point,t.point,n.point),
-qc.getNormal(this.normal),qc.getMidpoint(this.midpoint),this.area=qc.getArea(),this.constant=this.normal.dot(this.midpoint),this}distanceToPoint(e){return this.
-normal.dot(e)-this.constant}},Sa=class{constructor(e,t){this.vertex=e,this.prev=null,this.next=null,this.twin=null,this.face=t}head(){return this.vertex}tail(){
+this._cleanup(),this}},Ti=class i{constructor(){this.normal=new V,this.midpoint=new V,this.area=0,this.constant=0,this.outside=null,this.mark=qc,this.edge=null}static create(e,t,n){
+let s=new i,r=new Ta(e,s),o=new Ta(t,s),a=new Ta(n,s);return r.next=a.prev=o,o.next=r.prev=a,a.next=o.prev=r,s.edge=r,s.compute()}getEdge(e){let t=this.edge;for(;e>
+0;)t=t.next,e--;for(;e<0;)t=t.prev,e++;return t}compute(){let e=this.edge.tail(),t=this.edge.head(),n=this.edge.next.head();return $c.set(e.point,t.point,n.point),
+$c.getNormal(this.normal),$c.getMidpoint(this.midpoint),this.area=$c.getArea(),this.constant=this.normal.dot(this.midpoint),this}distanceToPoint(e){return this.
+normal.dot(e)-this.constant}},Ta=class{constructor(e,t){this.vertex=e,this.prev=null,this.next=null,this.twin=null,this.face=t}head(){return this.vertex}tail(){
 return this.prev?this.prev.vertex:null}length(){let e=this.head(),t=this.tail();return t!==null?t.point.distanceTo(e.point):-1}lengthSquared(){let e=this.head(),
-t=this.tail();return t!==null?t.point.distanceToSquared(e.point):-1}setTwin(e){return this.twin=e,e.twin=this,this}},pd=class{constructor(e){this.point=e,this.prev=
+t=this.tail();return t!==null?t.point.distanceToSquared(e.point):-1}setTwin(e){return this.twin=e,e.twin=this,this}},md=class{constructor(e){this.point=e,this.prev=
 null,this.next=null,this.face=null}},Zc=class{constructor(){this.head=null,this.tail=null}first(){return this.head}last(){return this.tail}clear(){return this.head=
 this.tail=null,this}insertBefore(e,t){return t.prev=e.prev,t.next=e,t.prev===null?this.head=t:t.prev.next=t,e.prev=t,this}insertAfter(e,t){return t.prev=e,t.next=
 e.next,t.next===null?this.tail=t:t.next.prev=t,e.next=t,this}append(e){return this.head===null?this.head=e:this.tail.next=e,e.prev=this.tail,e.next=null,this.tail=
@@ -3863,318 +3864,343 @@ e,this}appendChain(e){for(this.head===null?this.head=e:this.tail.next=e,e.prev=t
 null?this.head=e.next:e.prev.next=e.next,e.next===null?this.tail=e.prev:e.next.prev=e.prev,this}removeSubList(e,t){return e.prev===null?this.head=t.next:e.prev.
 next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var Jc=class extends ln{constructor(e=[]){super();let t=[],n=[],r=new Yc().setFromPoints(e).faces;for(let o=0;o<r.length;o++){let a=r[o],l=a.edge;do{let c=l.head().
 point;t.push(c.x,c.y,c.z),n.push(a.normal.x,a.normal.y,a.normal.z),l=l.next}while(l!==a.edge)}this.setAttribute("position",new yt(t,3)),this.setAttribute("norma\
-l",new yt(n,3))}};var Kc=24,md=.1;function Dg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Sw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
-i,3*t));function ww({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
-n}var gd={box:{geometry:()=>new Rs,has_edges:!0},sphere:{geometry:({radius:i})=>new Qo(i,Kc,Kc/2)},capsule:{geometry:i=>Dg(i.axis,new Jo(i.radius,2*i.half_length,
-8,Kc))},cylinder:{geometry:i=>Dg(i.axis,new Ps(i.radius,i.radius,2*i.half_length,Kc))},hull:{geometry:({points:i})=>new Jc(Sw(i))},mesh:{geometry:ww}},_d=i=>i.shape!==
-"box"&&i.shape in gd,Ug=i=>_d(i)?gd[i.shape]:gd.box,Fg=i=>_d(i)?"".concat(i.shape," ").concat(i.index):"box",xd=i=>i.size[0]>0?i.size:[md,md,md],Og=i=>_d(i)?[1,
-1,1]:xd(i);var sr=0;var Bg=2,jc=3,Tw=32767,Aw=new xt().makeScale(0,0,0);function Ew(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+l",new yt(n,3))}};var Kc=24,gd=.1;function Bg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Ew=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
+i,3*t));function Cw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
+n}var _d={box:{geometry:()=>new Ps,has_edges:!0},sphere:{geometry:({radius:i})=>new ta(i,Kc,Kc/2)},capsule:{geometry:i=>Bg(i.axis,new jo(i.radius,2*i.half_length,
+8,Kc))},cylinder:{geometry:i=>Bg(i.axis,new Is(i.radius,i.radius,2*i.half_length,Kc))},hull:{geometry:({points:i})=>new Jc(Ew(i))},mesh:{geometry:Cw}},xd=i=>i.shape!==
+"box"&&i.shape in _d,kg=i=>xd(i)?_d[i.shape]:_d.box,zg=i=>xd(i)?"".concat(i.shape," ").concat(i.index):"box",yd=i=>i.size[0]>0?i.size:[gd,gd,gd],Vg=i=>xd(i)?[1,
+1,1]:yd(i);var rr=0;var Gg=2,jc=3,Rw=32767,Pw=new xt().makeScale(0,0,0);function Iw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
-i}function Cw(i,e){if(i==="marks")return new ls({wireframe:!0,depthTest:!1});let t=new ea;return e?Ew(t):t}function kg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
+i}function Lw(i,e){if(i==="marks")return new ls({wireframe:!0,depthTest:!1});let t=new na;return e?Iw(t):t}function Hg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
-for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let m=o.body(f),y=i==="marks"?"ma\
-rks":Fg(m);h.has(y)||h.set(y,{body:m,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:m})=>{let y=Ug(f),p=i==="marks"?new eo(.5):y.geometry(f),
-g=new As(p,Cw(i,y.has_edges),m.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:m}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let m=new xt,y=new V,p=new Bn,g=new V,_=new rt;for(let{mesh:S,rows:M}of r)
-M.forEach((C,T)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(T,Aw);else{let b=o.body(C),L=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...xd(b))),p.identity()):(g.set(...Og(b)),p.set(h.turn[L+C],h.turn[2*L+C],h.turn[3*L+C],h.turn[C]).normalize()),S.setMatrixAt(
-T,m.compose(y,p,g))}_.copy(d),f.colour?.(C,_,h),S.setColorAt(T,_)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
-null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new As(
-new eo(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let m=new xt;h.forEach(({at:y,size:p},g)=>{f.setMatrixAt(
-g,m.compose(new V(...y),new Bn,new V().setScalar(p)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:m})=>{let y=[];return f.raycast(h,y),y.map(p=>({distance:p.
-distance,row:m[p.instanceId]}))})}};return u}function zg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Tw*s)});return t}var Vg=1e3/30,Rw=[.05,.1,.25,.5,1,2,4,8,16],Pw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
- 6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Gg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
-ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Pw[i],'\
-"/></svg>'),e}function Fs(i,e,t){let n=X("button",{type:"button",className:i,title:e},Gg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
-n}var rr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
+for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),y=i==="marks"?"ma\
+rks":zg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=kg(f),m=i==="marks"?new to(.5):y.geometry(f),
+g=new Es(m,Lw(i,y.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,m=new On,g=new V,x=new rt;for(let{mesh:w,rows:b}of r)
+b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==rr&&h.mark[C]!==jc)||f.hidden?.(C))w.setMatrixAt(S,Pw);else{let M=o.body(C),P=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(g.setScalar(Math.min(...yd(M))),m.identity()):(g.set(...Vg(M)),m.set(h.turn[P+C],h.turn[2*P+C],h.turn[3*P+C],h.turn[C]).normalize()),w.setMatrixAt(
+S,p.compose(y,m,g))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
+null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Es(
+new to(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:m},g)=>{f.setMatrixAt(
+g,p.compose(new V(...y),new On,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(m=>({distance:m.
+distance,row:p[m.instanceId]}))})}};return u}function Wg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Rw*s)});return t}var Xg=1e3/30,Nw=[.05,.1,.25,.5,1,2,4,8,16],Dw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+ 6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function $g(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
+ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Dw[i],'\
+"/></svg>'),e}function Os(i,e,t){let n=X("button",{type:"button",className:i,title:e},$g(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
+n}var or=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
-list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function Qc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0}){
-let r=i.first,o=null,a=0,l=r,c=performance.now(),d=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:r});d.setAttribute("aria-label",n);
-let u=X("select",{className:"speed"},...Rw.map(b=>X("option",{value:b,textContent:"\xD7".concat(b),selected:b===1})));u.setAttribute("aria-label","speed of play\
-ing");let h=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:r});h.setAttribute("aria-label","step");let f=()=>{d.value=r,document.activeElement!==
-h&&(h.value=r),t(r)},m=()=>{clearInterval(o),o=null,a=0,C()},y=b=>{let L=i.at_or_before(b);if(L===r){d.value=r;return}r=L,f()},p=b=>{m(),y(b)},g=()=>{let b=performance.
-now();l+=a*Number(u.value)*Math.min(.25,(b-c)/1e3)/Math.max(e(),1e-9),c=b,y(l),(a>0?l>=i.last:l<=i.first)&&m()},_=b=>{if(a===b)return m();m(),a=b,b>0&&r>=i.at_or_before(
-i.last)&&y(i.first),b<0&&r<=i.first&&y(i.last),l=r,c=performance.now(),o=setInterval(g,Vg),C()},S=Fs("play","play",()=>_(1)),M=Fs("back","play backwards",()=>_(
--1));function C(){for(let[b,L,R,P]of[[S,1,"play","play"],[M,-1,"back","play backwards"]]){let F=a===L;b.replaceChildren(Gg(F?"pause":R)),b.setAttribute("aria-la\
-bel",F?"pause":P),b.title=F?"pause":P}}let T=b=>{m(),y(i.beside(r,b))};return d.addEventListener("input",()=>p(Number(d.value))),d.addEventListener("keydown",b=>{
-let L={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[b.key];L===void 0||b.ctrlKey||b.metaKey||b.altKey||(b.preventDefault(),b.stopPropagation(),
-T(b.shiftKey?10*L:L))}),h.addEventListener("change",()=>{p(Number(h.value)),h.value=r}),{bar:s?X("div",{className:"player"},Fs("first","first step",()=>p(i.first)),
-M,Fs("less","one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,Fs("last","last step",()=>p(i.last)),u,d,h):X("div",{className:"player"},M,Fs("less",
-"one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,d),slider:d,seek:p,move:T,play:_,stop:m,get step(){return r},get direction(){return a},get stride(){
-return Math.max(1,Number(u.value)*Vg/1e3/Math.max(e(),1e-9))},set_last(b){let L=r===i.last;return i.last=b,d.max=h.max=b,L},refresh:f}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
+list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function Qc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0,
+played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
+"aria-label",n);let h=X("select",{className:"speed"},...Nw.map(P=>X("option",{value:P,textContent:"\xD7".concat(P),selected:P===1})));h.setAttribute("aria-label",
+"speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
+activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let P=l!==0;l=0,S(),P&&r(0)},m=P=>{let R=i.at_or_before(P);if(R===o){u.value=o;return}o=R,p()},
+g=P=>{y(),m(P)},x=()=>{let P=performance.now();c+=l*Number(h.value)*Math.min(.25,(P-d)/1e3)/Math.max(e(),1e-9),d=P,m(c),(l>0?c>=i.last:c<=i.first)&&y()},w=P=>{if(l===
+P)return y();y(),l=P,P>0&&o>=i.at_or_before(i.last)&&m(i.first),P<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(x,Xg),S(),r(P)},b=Os("play","pl\
+ay",()=>w(1)),C=Os("back","play backwards",()=>w(-1));function S(){for(let[P,R,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===R;P.replaceChildren(
+$g(z?"pause":I)),P.setAttribute("aria-label",z?"pause":F),P.title=z?"pause":F}}let _=P=>{y(),m(i.beside(o,P))};return u.addEventListener("input",()=>g(Number(u.
+value))),u.addEventListener("keydown",P=>{let R={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[P.key];R===void 0||P.ctrlKey||P.metaKey||
+P.altKey||(P.preventDefault(),P.stopPropagation(),_(P.shiftKey?10*R:R))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
+player"},Os("first","first step",()=>g(i.first)),C,Os("less","one step back",()=>_(-1)),Os("more","one step on",()=>_(1)),b,Os("last","last step",()=>g(i.last)),
+h,u,f):X("div",{className:"player"},C,Os("less","one step back",()=>_(-1)),Os("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:w,stop:y,get step(){
+return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*Xg/1e3/Math.max(e(),1e-9))},set_last(P){let R=o===i.last;return i.last=P,u.max=
+f.max=P,R},refresh:p}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
 l.movementX)+Math.abs(l.movementY),s.size===2){let c=r();s.set(l.pointerId,{x:l.clientX,y:l.clientY}),e.zoom(c/Math.max(1,r()))}else l.shiftKey||l.buttons!==1?e.
 pan(l.movementX/i.clientHeight,l.movementY/i.clientHeight):e.turn(-.008*l.movementX,.008*l.movementY);s.has(l.pointerId)&&s.set(l.pointerId,{x:l.clientX,y:l.clientY})}});
 let o=l=>s.delete(l.pointerId);i.addEventListener("pointerup",l=>{if(o(l),n>4||l.button!==0||!t)return;let c=i.getBoundingClientRect();t((l.clientX-c.left)/c.width,
 (l.clientY-c.top)/c.height)}),i.addEventListener("pointercancel",o),i.addEventListener("contextmenu",l=>l.preventDefault()),i.addEventListener("wheel",l=>{document.
-activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive:!1});let a={ArrowLeft:()=>e.turn(-.12,0),ArrowRight:()=>e.turn(.12,0),ArrowUp:()=>e.
-turn(0,.12),ArrowDown:()=>e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||
-l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key]())})}function th(i,e){let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-
-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{
-centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Iw=.07,Lw=.25;function yd(i,e){let t=new Vn,n=new Ps(.5,.5,1,6).translate(0,.5,0),s=new Ko(.5,1,10).translate(0,.5,0),r=new ls({color:i,depthTest:!1,transparent:!0,
-opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new As(y,r,a.length)),u=Iw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),m=new xt;a.forEach(({at:y,normal:p,impulse:g},_)=>{let S=u*Math.max(Lw,Math.sqrt(Math.max(0,g)/h)),M=new Bn().
-setFromUnitVectors(f,new V(...p).normalize()),C=new V(...y),T=u*.05*e;c.setMatrixAt(_,m.compose(C,M,new V(T,S*.7,T)));let x=new V(0,S*.7,0).applyQuaternion(M).add(
-C);d.setMatrixAt(_,m.compose(x,M,new V(T*3.4,S*.3,T*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Md=40,Nw=2;function Dw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
-n}function vd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Uw(i,e){let t={around:-.9,up:.45,distance:.82*
+activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive:!1});let a={ArrowLeft:l=>l?e.pan(.05,0):e.turn(-.12,0),ArrowRight:l=>l?e.pan(-.05,
+0):e.turn(.12,0),ArrowUp:l=>l?e.pan(0,.05):e.turn(0,.12),ArrowDown:l=>l?e.pan(0,-.05):e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};
+i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function th(i,e){
+let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
+n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Uw=.07,Fw=.25;function vd(i,e){let t=new Vn,n=new Is(.5,.5,1,6).translate(0,.5,0),s=new Qo(.5,1,10).translate(0,.5,0),r=new ls({color:i,depthTest:!1,transparent:!0,
+opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Es(y,r,a.length)),u=Uw*
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:m,impulse:g},x)=>{let w=u*Math.max(Fw,Math.sqrt(Math.max(0,g)/h)),b=new On().
+setFromUnitVectors(f,new V(...m).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
+C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Md=40,Ow=2;function Bw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new eo(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+n}function bd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function kw(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(Md/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-Nw));let{radius:o}=t,a=new Go,l=new Fn(Md,1,o/200,o*200);l.up.set(0,0,1);let c=new to("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new to("#ffffff",.7);if(d.position.
-set(-.8,.3,.4),a.add(new sa("#ffffff","#c9d1da",1.9),c,d),s){let x=new ca(8*o,40,e.line,e.line);x.rotation.x=Math.PI/2,x.position.set(t.centre[0],t.centre[1],0),
-a.add(x)}let u=Uw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let m=[yd(e.contact,1),yd(e.expected,.7)];for(let{group:x}of m)a.add(x);let y=new Map,
-p=!1,g=!1,_=0,S=()=>{let x=u.distance*Math.max(1,.95/l.aspect),b=Math.cos(u.up)*x;l.position.set(u.centre.x+b*Math.cos(u.around),u.centre.y+b*Math.sin(u.around),
-u.centre.z+x*Math.sin(u.up)),l.lookAt(u.centre)},M=()=>p&&h.length===2?2:1,C=()=>{cancelAnimationFrame(_),_=0,g=!0;let x=r.getSize(new st),b=M();l.aspect=x.x/b/
-Math.max(1,x.y),l.updateProjectionMatrix(),S(),r.setScissorTest(b===2);for(let L=0;L<b;++L){let R=Math.round(L*x.x/b);r.setViewport(R,0,x.x/b,x.y),r.setScissor(
-R,0,x.x/b,x.y),h.forEach((P,F)=>{P.group.visible=b===1||F===L}),m.forEach(({group:P},F)=>{P.visible=b===1||F===L});for(let{session:P,line:F}of y.values())F.visible=
-b===1||P===L;r.render(a,l)}},T=()=>{_||=requestAnimationFrame(C)};return{view:u,draw:T,draw_now:C,add_session(x,b){let L=kg(x,b,e);return h.push(L),a.add(L.group),
-{describe(R){L.describe(R),T()},show(R,P){L.show(R,P),T()}}},set_side_by_side(x){p=x,h[1]?.set_ghost(!x),T()},set_lines(x,b){if(y.has(x)&&vd(y.get(x).line),y.delete(
-x),b&&b.points.length>0){let{points:L,colour:R,dash:P,on_top:F}=b,z={color:R,depthTest:!F,transparent:!0,opacity:b.opacity??1},D=P?new ta({...z,dashSize:P,gapSize:.7*
-P}):new Cs(z),G=Dw(L,D);G.renderOrder=F?2:1,f.add(G),y.set(x,{line:G,session:b.session??0})}T()},set_arrows(x,b=0){m[b].show(x,u.distance),T()},pick(x,b){let L=M(),
-R=Math.min(L-1,Math.floor(x*L));S(),l.updateMatrixWorld();let P=new aa;P.setFromCamera(new st(2*(x*L-R)-1,1-2*b),l);let F=h.flatMap((z,D)=>L===2&&D!==R?[]:z.hits(
-P).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(x,b){u.around+=x,u.up=Math.min(1.55,Math.max(-.3,u.up+b)),T()},zoom(x){
-u.distance=Math.min(40*o,Math.max(o/100,u.distance*x)),T()},pan(x,b){S(),l.updateMatrixWorld();let L=2*u.distance*Math.tan(Md/2*Math.PI/180),R=new V().setFromMatrixColumn(
-l.matrixWorld,0).multiplyScalar(-x*L);u.centre.add(R.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(b*L))),T()},look_at(x){u.centre.set(...x),T()},
-resize(x,b){let L=r.getSize(new st);L.x===x&&L.y===b||(r.setSize(x,b,!1),g?C():T())},dispose(){for(let x of h)vd(x.group);vd(f),a.traverse(x=>{x.geometry?.dispose(),
-x.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Sd=2,Fw=.05,Ow=40,Bw=.15,Os=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function kw(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Os(n,o),l=Os(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function zw(i,e){
-let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Sd,Fw*Math.min(t,r>0?r:t))})}
-function Hg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:zg(n,r=>{let o=t?.
-slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=Os(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
-function Wg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Ow),r=[];for(let o of s)for(let a=1;a<
-e.length;++a){let l=Os(e[a-1],o),c=Os(e[a],o);l&&c&&r.push(...l,...c)}return r}var bd=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
-="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Vw(){return X("p",{},bd('<path d="M0 8H36" stroke="var\
-(--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),bd('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
-/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),bd('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
-o the other"))}function Gw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
-id.filter((c,d)=>!Os(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
+Ow));let{radius:o}=t,a=new Wo,l=new Un(Md,1,o/200,o*200);l.up.set(0,0,1);let c=new no("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new no("#ffffff",.7);if(d.position.
+set(-.8,.3,.4),a.add(new oa("#ffffff","#c9d1da",1.9),c,d),s){let _=new ua(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
+a.add(_)}let u=kw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[vd(e.contact,1),vd(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
+m=!1,g=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
+u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
+Math.max(1,_.y),l.updateProjectionMatrix(),w(),r.setScissorTest(M===2);for(let P=0;P<M;++P){let R=Math.round(P*_.x/M);r.setViewport(R,0,_.x/M,_.y),r.setScissor(
+R,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===P}),p.forEach(({group:I},F)=>{I.visible=M===1||F===P});for(let{session:I,line:F}of y.values())F.visible=
+M===1||I===P;r.render(a,l)}},S=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:S,draw_now:C,add_session(_,M){let P=Hg(_,M,e);return h.push(P),a.add(P.group),
+{describe(R){P.describe(R),S()},show(R,I){P.show(R,I),S()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&bd(y.get(_).line),y.delete(
+_),M&&M.points.length>0){let{points:P,colour:R,dash:I,on_top:F}=M,z={color:R,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new ia({...z,dashSize:I,gapSize:.7*
+I}):new Rs(z),G=Bw(P,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let P=b(),
+R=Math.min(P-1,Math.floor(_*P));w(),l.updateMatrixWorld();let I=new ca;I.setFromCamera(new st(2*(_*P-R)-1,1-2*M),l);let F=h.flatMap((z,D)=>P===2&&D!==R?[]:z.hits(
+I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),S()},zoom(_){
+u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),S()},pan(_,M){w(),l.updateMatrixWorld();let P=2*u.distance*Math.tan(Md/2*Math.PI/180),R=new V().setFromMatrixColumn(
+l.matrixWorld,0).multiplyScalar(-_*P);u.centre.add(R.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*P))),S()},look_at(_){u.centre.set(..._),S()},
+resize(_,M){let P=r.getSize(new st);P.x===_&&P.y===M||(r.setSize(_,M,!1),g?C():S())},dispose(){for(let _ of h)bd(_.group);bd(f),a.traverse(_=>{_.geometry?.dispose(),
+_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var wd=2,zw=.05,Vw=40,Gw=.15,Bs=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Hw(i){let{actual_mm:e,expected_mm:t}=i.
+frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Bs(n,o),l=Bs(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Ww(i,e){
+let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(wd,zw*Math.min(t,r>0?r:t))})}
+function qg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:Wg(n,r=>{let o=t?.
+slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=Bs(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
+function Yg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Vw),r=[];for(let o of s)for(let a=1;a<
+e.length;++a){let l=Bs(e[a-1],o),c=Bs(e[a],o);l&&c&&r.push(...l,...c)}return r}var Sd=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
+="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Xw(){return X("p",{},Sd('<path d="M0 8H36" stroke="var\
+(--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),Sd('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
+/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),Sd('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
+o the other"))}function $w(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
+id.filter((c,d)=>!Bs(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
 e (gone, or not finite)");if(n.length===0)return"".concat(s,": nothing to compare here").concat(o);let a=n.reduce((c,d)=>d.value>c.value?d:c),l=n.filter(({value:c})=>c>
-Sd).length;return l===0?"".concat(s,": every body within ").concat(Sd," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
-" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(zn(a.value/1e3)," away").concat(o)}function Hw(i){return{count:i.bodies.id.length,body:e=>({
-shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Ww(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
-s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return th(t,Math.max(...i.bodies.size,.1))}var wd=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
-apart:n,frame:0,stage:null,last_view:null}),this.limits=zw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
+wd).length;return l===0?"".concat(s,": every body within ").concat(wd," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
+" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(zn(a.value/1e3)," away").concat(o)}function qw(i){return{count:i.bodies.id.length,body:e=>({
+shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Yw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
+s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return th(t,Math.max(...i.bodies.size,.1))}var Td=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
+apart:n,frame:0,stage:null,last_view:null}),this.limits=Ww(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
 x"}).observe(e)}open(){if(this.stage)return;let e=X("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensi\
-ons. Arrow keys turn the view, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=Ww(this.data);try{this.stage=nh(e,{hue:t,box:n})}catch{this.place.textContent=
-"This browser has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.last_view),this.actual=
-this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])s.describe(Hw(this.data));
-this.stage.set_lines("actual",{points:Wg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expected",{points:Wg(this.data,
-this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),eh(e,this.stage),this.resize(),this.show(this.frame)}close(){this.stage&&(this.last_view=
-{...this.stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{frames:t,bodies:n}=this.data,
-s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Hg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.offsetHSL(0,0,.035*
-(o%5-2))}),this.expected.show(Hg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=Os(t.actual_mm[e],a),c=Os(t.expected_mm[e],a);return l&&
-c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:Ki().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
-place;e>0&&this.stage?.resize(e,t)}};function Xg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=kw(e),r=X("div",{className:"\
-view3d"}),o=X("output"),a=new wd(r,e,s),l=Qc({steps:new rr(0,n),dt:()=>Bw,full:!1,show:d=>{let u=Gw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
-show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Vw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
+ons. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=Yw(this.data);try{this.stage=nh(e,{hue:t,box:n})}catch{
+this.place.textContent="This browser has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.
+last_view),this.actual=this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])
+s.describe(qw(this.data));this.stage.set_lines("actual",{points:Yg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expe\
+cted",{points:Yg(this.data,this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),eh(e,this.stage),this.resize(),this.show(this.frame)}close(){
+this.stage&&(this.last_view={...this.stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{
+frames:t,bodies:n}=this.data,s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(qg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.
+offsetHSL(0,0,.035*(o%5-2))}),this.expected.show(qg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=Bs(t.actual_mm[e],a),c=Bs(t.expected_mm[e],
+a);return l&&c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:Ki().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
+place;e>0&&this.stage?.resize(e,t)}};function Zg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Hw(e),r=X("div",{className:"\
+view3d"}),o=X("output"),a=new Td(r,e,s),l=Qc({steps:new or(0,n),dt:()=>Gw,full:!1,show:d=>{let u=$w(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
+show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Xw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
 Drag or use the arrow keys to turn, + and - to zoom. Lines: the ways of the bodies that went furthest astray."}));let c=s.map(d=>Math.max(...d.map(u=>u??0)));return l.
-seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var qg=5e-4,$g=24,Xw=50,qw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},Yg=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
+seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var Jg=5e-4,Kg=24,Zw=50,Jw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},jg=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
 .75,.5),ih=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:[null,null],with_contacts:!1,
 with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_speed:1,focus:null}),this.open()}open(){let e=X("canvas",{tabIndex:0});e.setAttribute(
-"role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, + and - zoom."),this.canvas=e,this.tags=this.sessions.map((t,n)=>X(
-"span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=X("p",{className:"over-view",hidden:!0}),this.place.replaceChildren(
-e,...this.tags,this.over),this.stage=null}start(){this.hue=Ki();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(e[a]).filter((l,c)=>e.mark[c]!==sr):[],
-n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.sessions[0].head;this.box=th([
-"x","y","z"].map(t),s);try{this.stage=nh(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="This browser has no WebGL, so \
-there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===0?"solid":"ghost",l===0?this.
-hue.actual:this.hue.expected);return c.describe(a.bodies),c}),eh(this.canvas,this.stage,(a,l)=>{let c=this.stage.pick(a,l);this.picked(c?this.sessions[c.session].
-bodies.id(c.row):null)}),this.set_side_by_side(this.side_by_side),this.resize()}describe(){this.sessions.forEach((e,t)=>this.bodies?.[t].describe(e.bodies))}restart(){
-if(!this.stage)return;let e={...this.stage.view};this.stage.dispose(),this.open(),this.start(),this.stage&&Object.assign(this.stage.view,e),this.show()}reset_view(){
-let{stage:e}=this;e&&(e.dispose(),this.open(),this.following=!1,this.start(),this.show())}set_side_by_side(e){this.side_by_side=e,this.place.classList.toggle("h\
-alves",e),this.tags[1]&&(this.tags[1].textContent=e?"B":"B, ghost"),this.stage?.set_side_by_side(e),this.show()}place_of(e,t){let n=this.frames[e],s=this.sessions[e]?.
-bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===sr||n.mark[s]===jc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.place_of(0,e),this.place_of(1,
-e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.selected)return r.set(this.
-hue.select);if(this.paint==="speed")return Yg(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return Yg(Math.log10(Math.max(1e-9,this.apart(o)??0)/1e-9)/9,
-r);let a=t.mark[s]===Bg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(qw[n.texture(s)]??this.hue.actual),
-a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<Xw;++s){if(t.mark[s]!==jc)continue;let r=e.bodies.
-id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;l.step.forEach((d,u)=>{
-let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.lost_places.get(
-o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],o=r&&r.status===
-0?r:null,a=o?{colour:this.colour_of(n,o),lost:this.lost_in(n,o)}:{};o&&s===1&&!this.side_by_side&&(a.colour=(l,c)=>n.bodies.id(l)===this.selected&&c.set(this.hue.
-select),a.hidden=l=>(this.apart(n.bodies.id(l))??1)<qg),this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)for(let n of this.sessions[0].
-bodies.json.id)(this.apart(n)??0)>=qg&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,colour:this.hue.bad,on_top:!0}),
-this.show_contacts();let t=this.following&&this.selected!==null?this.place_of(0,this.selected)??this.place_of(1,this.selected):null;t&&this.stage.look_at(t),this.
-stage.draw()}show_contacts(){this.sessions.forEach((e,t)=>this.show_contacts_of(t))}show_contacts_of(e){let t=this.contacts[e],s=t&&this.frames[e]&&t.step===this.
-frames[e].step?t.rows??[]:[],r=([l,c])=>l===this.selected||c===this.selected,a=(this.selected!==null?s.filter(r):this.with_contacts?s:[]).filter(l=>l[9]>0&&!l.includes(
-null));this.stage.set_arrows(a.map(l=>{let c=l[7]<0?-1:1;return{at:l.slice(2,5),normal:l.slice(5,8).map(d=>c*d),impulse:l[9]}}),e)}way_ids(){if(this.selected!==
-null)return[this.selected];let{bodies:e}=this.sessions[0],t=[...e.json.id.keys()].filter(o=>!e.is_static(o)),n=t.filter(o=>e.name(o)==="thrown"),s=Math.max(1,Math.
-ceil(t.length/$g));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slice(0,$g).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let e=this.with_ways||this.
-selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.way(
-r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],
+"role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.canvas=e,this.
+tags=this.sessions.map((t,n)=>X("span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=X("p",{className:"over-view",
+hidden:!0}),this.place.replaceChildren(e,...this.tags,this.over),this.stage=null}start(){this.hue=Ki();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(
+e[a]).filter((l,c)=>e.mark[c]!==rr):[],n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.
+sessions[0].head;this.box=th(["x","y","z"].map(t),s);try{this.stage=nh(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="\
+This browser has no WebGL, so there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===
+0?"solid":"ghost",l===0?this.hue.actual:this.hue.expected);return c.describe(a.bodies),c}),eh(this.canvas,this.stage,(a,l)=>{let c=this.stage.pick(a,l);this.picked(
+c?this.sessions[c.session].bodies.id(c.row):null)}),this.set_side_by_side(this.side_by_side),this.resize()}describe(){this.sessions.forEach((e,t)=>this.bodies?.[t].
+describe(e.bodies))}restart(){if(!this.stage)return;let e={...this.stage.view};this.stage.dispose(),this.open(),this.start(),this.stage&&Object.assign(this.stage.
+view,e),this.show()}reset_view(){let{stage:e}=this;e&&(e.dispose(),this.open(),this.following=!1,this.start(),this.show())}set_side_by_side(e){this.side_by_side=
+e,this.place.classList.toggle("halves",e),this.tags[1]&&(this.tags[1].textContent=e?"B":"B, ghost"),this.stage?.set_side_by_side(e),this.show()}place_of(e,t){let n=this.
+frames[e],s=this.sessions[e]?.bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===rr||n.mark[s]===jc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.
+place_of(0,e),this.place_of(1,e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.
+selected)return r.set(this.hue.select);if(this.paint==="speed")return jg(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return jg(Math.log10(Math.max(1e-9,
+this.apart(o)??0)/1e-9)/9,r);let a=t.mark[s]===Gg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Jw[n.
+texture(s)]??this.hue.actual),a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<Zw;++s){if(t.mark[s]!==
+jc)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;
+l.step.forEach((d,u)=>{let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.
+lost_places.get(o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],
+o=r&&r.status===0?r:null,a=o?{colour:this.colour_of(n,o),lost:this.lost_in(n,o)}:{};o&&s===1&&!this.side_by_side&&(a.colour=(l,c)=>n.bodies.id(l)===this.selected&&
+c.set(this.hue.select),a.hidden=l=>(this.apart(n.bodies.id(l))??1)<Jg),this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)for(let n of this.
+sessions[0].bodies.json.id)(this.apart(n)??0)>=Jg&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,colour:this.hue.bad,
+on_top:!0}),this.show_contacts();let t=this.following&&this.selected!==null?this.place_of(0,this.selected)??this.place_of(1,this.selected):null;t&&this.stage.look_at(
+t),this.stage.draw()}show_contacts(){this.sessions.forEach((e,t)=>this.show_contacts_of(t))}show_contacts_of(e){let t=this.contacts[e],s=t&&this.frames[e]&&t.step===
+this.frames[e].step?t.rows??[]:[],r=([l,c])=>l===this.selected||c===this.selected,a=(this.selected!==null?s.filter(r):this.with_contacts?s:[]).filter(l=>l[9]>0&&
+!l.includes(null));this.stage.set_arrows(a.map(l=>{let c=l[7]<0?-1:1;return{at:l.slice(2,5),normal:l.slice(5,8).map(d=>c*d),impulse:l[9]}}),e)}way_ids(){if(this.
+selected!==null)return[this.selected];let{bodies:e}=this.sessions[0],t=[...e.json.id.keys()].filter(o=>!e.is_static(o)),n=t.filter(o=>e.name(o)==="thrown"),s=Math.
+max(1,Math.ceil(t.length/Kg));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slice(0,Kg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let e=this.with_ways||
+this.selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.
+way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],
 colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,session:1}:null))}resize(){let{
-clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var or=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function $w(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[or(e.engine??"method ".concat(
-e.method)),or("".concat(s," step").concat(s===1?"":"s")),or("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),or("".concat(t.count," bodies"))];return e.
-finished?(!e.sound||i.gaps().length>0)&&r.push(or("damaged","fail")):r.push(or("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(or(
-"bodies lost","fail")),r}function Yw(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
-a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,m,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(m,": ").concat(
-y)]);if(a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?
-"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.
-ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run,
+clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var ar=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function Kw(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[ar(e.engine??"method ".concat(
+e.method)),ar("".concat(s," step").concat(s===1?"":"s")),ar("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),ar("".concat(t.count," bodies"))];return e.
+finished?(!e.sound||i.gaps().length>0)&&r.push(ar("damaged","fail")):r.push(ar("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(ar(
+"bodies lost","fail")),r}function jw(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
+a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
+y)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),
+a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?"is th\
+inned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.ours&&
+l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run,
 " steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});
-let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function Zg(i){let e=X("h1"),t=X("div",{className:"\
+let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function Qg(i){let e=X("h1"),t=X("div",{className:"\
 facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{
 let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"\
 side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:
-[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...$w(l)])),n.replaceChildren(...Yw(i).map(([l,c])=>X("p",{className:l,
+[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...Kw(l)])),n.replaceChildren(...jw(i).map(([l,c])=>X("p",{className:l,
 textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it shou\
-ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var Zw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),Bs=(i,e="")=>X("td",{textContent:i,className:e}),ar=(...i)=>X("tr",{},...i);function Rn(i,e,t=""){let n=X(
-"button",{type:"button",className:"link",textContent:i,title:t});return n.addEventListener("click",e),n}function ks(i,{open:e=!0,id:t=""}={}){let n=X("div",{className:"\
-inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}function Kg(i,{label:e,name:t,size:n,answers:s,
-actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=X("table",{className:"numbers"});c.append(X("thead",{},ar(X("th",{textContent:"\
-field"}),...a.map(f=>X("th",{textContent:f,className:"number"})))));let d=X("tbody"),u=s.find(f=>f.fields);for(let[f,{field:m}]of(u?.fields??[]).entries()){let y=s.
-map(S=>S.fields?.[f]),p=y.map(S=>S?.hex??String(S?.value)),g=p.length===2&&p[0]!==p[1],_=ar(X("th",{scope:"row",textContent:m}),...y.map(S=>{let M=Bs("","number");
-return S&&o?M.append(Rn(wa(S.value),()=>o(m),"".concat(S.hex??""," \u2013 where does it come from?"))):M.textContent=wa(S?.value),S?.hex&&(M.title=S.hex),M}));_.
-classList.toggle("differs",g),d.append(_)}c.append(d);let h=[...t===e?[]:[t],n[0]>0?"".concat(n.map(f=>Number(f.toPrecision(4))).join(" \xD7 ")," m"):"size unkn\
-own"];u&&h.push(u.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:e.replace(/^body /,"Body ")})," ".concat(h.join(" \xB7 "))),r),u&&
-i.append(X("div",{className:"scroll"},c)),u?.channels?.length>0&&i.append(X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"\
-Channels"}),X("tbody",{},...u.channels.map(({field:f,value:m})=>ar(X("th",{scope:"row",textContent:f}),Bs(m,"number"))))))),l&&i.append(X("p",{className:"soft",
-textContent:"".concat(s.length===2?"".concat(s.indexOf(l)===0?"A":"B",": "):"").concat(l.why_not)})),u?.rounded&&i.append(X("p",{className:"soft",textContent:"R\
-ounded in this page; tumble dump prints every bit."}))}function jg(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"sof\
-t",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"T\
-he nearest with contacts: ",Rn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-
-(h[9]??0)).slice(0,Zw),l="".concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(
-h,f[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(zn(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.
-map(h=>{let f=Bs("");return f.append(Rn(n.short(h[0]),()=>s(h[0]))," \u2013 ",h[1]===0?"ground":Rn(n.short(h[1]),()=>s(h[1]))),ar(f,Bs("".concat(Number((h[9]??0).
-toPrecision(3))," N s"),"number"),Bs(zn(h[8]),"number"))})),u=X("table",{className:"numbers"},X("thead",{},ar(X("th",{textContent:"bodies"}),X("th",{textContent:"\
-impulse",className:"number"}),X("th",{textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scroll"},u)),o.length>a.length&&i.append(X("p",
-{className:"soft",textContent:"The strongest are listed."}))}function Qg(i,e,t,n,s,r){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"Taking\
- the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X("p",{},Rn(t.label(e.body).replace(/^body /,
-"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(wa(e.value)," ").concat(e.unit)),a=X("ol",{className:"blame"},...e.answers.
-map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},Rn("step ".concat(l.step),()=>n(l.step))," \xB7 ",X("strong",
-{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.map(u=>{let h=X("li",{},"".concat(u.kind));
-return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":Rn(t.label(u.with),()=>s(u.with))),h.append(": ".concat(wa(u.amount)," ").concat(l.unit)),
-h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??[])i.append(X("p",{className:"soft",textContent:l}));
-if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(e.answers.length+5)),i.append(X("p",{},l))}}var Jg=(i,e)=>"".
-concat(wa(i)).concat(e?" (".concat(e,")"):"");function Jw(i,e){if(i.why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("t\
-body",{},...i.rows.map(s=>{let r=Bs("","number");s.step===null?r.textContent="never":r.append(Rn(String(s.step),()=>e(s.step)));let o=ar(X("th",{scope:"row",textContent:s.
-phase}),r,Bs(s.step===null?"":String(s.substep),"number"),Bs(String(s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","fr\
-om step","substep","steps"];return X("div",{className:"scroll"},X("table",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, s\
-teps ".concat(i.from," to ").concat(i.last)}),X("thead",{},ar(...n.map((s,r)=>X("th",{textContent:s,className:r>0?"number":""})))),t))}function e0(i,e,t,n,s){if(!e||
-e.state==="working"){let a=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(a," \
-\u2026")}))}if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:e.why}));let r=[],o=e.first;if(o){let a=["step ".concat(o.step),"p\
-hase ".concat(o.phase)];o.substep!==null&&a.push("substep ".concat(o.substep)),r.push(X("p",{},X("strong",{textContent:"First difference: ".concat(a.join(", "))}))),
-e.cause&&r.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??o,c=X("p",{});l.body!==null&&c.append(Rn(t(l.body),()=>s(l.body)),", "),c.append(
-"".concat(l.field,": ").concat(Jg(l.expected,l.expected_hex)," \u2192 ").concat(Jg(l.actual,l.actual_hex)));let d=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(
-l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),r.push(c);let u=X("button",{type:"button",className:"jump",textContent:"Go to the\
- first difference"});u.addEventListener("click",()=>n(o.step)),r.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>0?r.push(X("ul",{className:"marks"},...h.
-map(({above:f,step:m,body:y})=>X("li",{},"more than ".concat(zn(f)," apart from "),Rn("step ".concat(m),()=>n(m)),", ",Rn(t(y),()=>s(y)))))):e.growth_unknown&&r.
-push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&r.push(Jw(e.partings,n))}else{let[a,l]=e.last;r.push(
-X("p",{className:"good",textContent:e.identical?"Identical: ".concat(e.steps," steps, the same in ").concat(e.every_bit,"."):"The ".concat(e.steps," steps of bo\
-th are the same; A ends with step ").concat(a,", B with step ").concat(l,".")})),r.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),
-X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}))}for(let a of e.notes??[])r.push(X("p",{className:"soft",textContent:a}));
-return i.replaceChildren(...r)}var Kw=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var Qw=12,ks=i=>String(typeof i=="number"?i:i??"\u2013"),fs=(i,e="")=>X("td",{textContent:i,className:e}),lr=(...i)=>X("tr",{},...i);function kn(i,e,t="",n=null){
+let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function zs(i,{
+open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
+function e1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=fs("","number");if(a!==null&&
+n){let u=X("button",{type:"button",className:"link",textContent:"plot"}),h=()=>u.setAttribute("aria-pressed",String(n.has(a,e,l??0)));u.setAttribute("aria-label",
+"plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return lr(X("th",{scope:"row",textContent:c}),fs(o,
+"number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function t0(i,{id:e,
+label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
+numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},lr(X("th",{scope:"col",textContent:"field"}),...d.map(m=>X("th",{scope:"col",textContent:m,className:"\
+number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:g}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[m]),w=x.map(S=>S?.hex??String(S?.
+value)),b=w.length===2&&w[0]!==w[1],C=lr(X("th",{scope:"row",textContent:g}),...x.map(S=>{let _=fs("","number");return S&&c?_.append(kn(ks(S.value),()=>c(g),"".
+concat(S.hex??""," \u2013 where does it come from?"),"".concat(g," ").concat(ks(S.value),": where does it come from?"))):_.textContent=ks(S?.value),S?.hex&&(_.title=
+S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(m=>Number(m.toPrecision(4))).join(" \xD7 ")," \
+m"):"size unknown"];p&&y.push(p.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),
+o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(e1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
+r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; t\
+umble dump prints every bit."}))}function n0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));
+if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",
+kn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,Qw),l="".
+concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(
+X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(zn(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=fs(""),p=y=>kn(n.short(
+y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),lr(f,fs("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),fs(
+zn(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thead",{},lr(X("th",{scope:"col",textContent:"bodies"}),X(
+"th",{scope:"col",textContent:"impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scro\
+ll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function i0(i,e,t,n,s,r){if(!e)return i.replaceChildren(
+X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X(
+"p",{},kn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(ks(e.value)," ").concat(e.unit)),
+a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},kn("step ".concat(
+l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.
+map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":kn(t.label(u.with),()=>s(u.with))),h.append("\
+: ".concat(ks(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??
+[])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(
+e.answers.length+5)),i.append(X("p",{},l))}}var e0=(i,e)=>"".concat(ks(i)).concat(e?" (".concat(e,")"):"");function t1(i,e){if(i.why_not)return X("p",{className:"\
+soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=fs("","number");s.step===null?r.textContent="never":r.append(kn(String(
+s.step),()=>e(s.step),"","step ".concat(s.step)));let o=lr(X("th",{scope:"row",textContent:s.phase}),r,fs(s.step===null?"":String(s.substep),"number"),fs(String(
+s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
+able",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},lr(...n.map(
+(s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Ad(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;
+let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(i.every_bit,"."):"The ".concat(i.steps," st\
+eps of both are the same; A ends with step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==
+null&&t.push("substep ".concat(e.substep)),"First difference: ".concat(t.join(", "))}function s0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.
+floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Ad(e);if(e.state==="failed")
+return i.replaceChildren(X("p",{className:"bad",textContent:r}));let o=[],a=e.first;if(!a)o.push(X("p",{className:"good",textContent:r})),o.push(X("p",{textContent:"\
+Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.
+push(X("p",{},X("strong",{textContent:r}))),e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=X("p",{});l.body!==null&&c.append(
+kn(t(l.body),()=>s(l.body)),", "),c.append("".concat(l.field,": ").concat(e0(l.expected,l.expected_hex)," \u2192 ").concat(e0(l.actual,l.actual_hex)));let d=l.ulps>
+Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),o.push(c);let u=X("button",{type:"button",
+className:"jump",textContent:"Go to the first difference"});u.addEventListener("click",()=>n(a.step)),o.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>
+0?o.push(X("ul",{className:"marks"},...h.map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(zn(f)," apart from "),kn("step ".concat(p),()=>n(p)),", ",
+kn(t(y),()=>s(y)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(t1(
+e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var n1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
-fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, zoom. Drag turns,\
- with Shift moves; the wheel zooms once the view has the focus"]];function t0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].rows.breaks(),
-...t.map(({step:l})=>l),...n.flatMap(([l,c])=>[l,c])];s!==null&&r.push(s);let{step:o}=i.player,a=r.filter(l=>e>0?l>o:l<o).sort((l,c)=>e*(l-c));a.length>0&&i.player.
-seek(a[0])}function n0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.
-player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.first),End:()=>i.player.seek(i.steps.last),"[":()=>t0(i,-1),"]":()=>t0(
+fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, with Shift move; \
+zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function r0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].
+rows.breaks(),...t.map(({step:l})=>l),...n.flatMap(([l,c])=>[l,c])];s!==null&&r.push(s);let{step:o}=i.player,a=r.filter(l=>e>0?l>o:l<o).sort((l,c)=>e*(l-c));a.length>
+0&&i.player.seek(a[0])}function o0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.
+player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.first),End:()=>i.player.seek(i.steps.last),"[":()=>r0(i,-1),"]":()=>r0(
 i,1),d:()=>i.go_to_first_difference(),"/":()=>i.search.focus(),n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener(
 "keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.
-key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=ks("Keys",
-{open:!1});return n.append(X("dl",{className:"keys"},...Kw.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Td=i=>i==null?"\u2013":String(i),i0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),jw=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
-i.bodies[e]):"\u2013",s0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:jw,top:i=>Math.max(1,...Qw(i.bodies))},{name:"contacts",kind:"\
-line",of:(i,e)=>i.contacts[e],words:(i,e)=>Td(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Td(i.begun[e]),late:!0},
-{name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Co(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Co(
-i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(i0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):
-i0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>zn(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,
-words:(i,e)=>Td(i.lost[e]),bad:!0,only_if_any:!0}];function Qw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var r0=i=>i.map((e,t)=>({
+key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=zs("Keys",
+{open:!1});return n.append(X("dl",{className:"keys"},...n1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Ed=i=>i==null?"\u2013":String(i),a0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),i1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
+i.bodies[e]):"\u2013",l0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:i1,top:i=>Math.max(1,...s1(i.bodies))},{name:"contacts",kind:"\
+line",of:(i,e)=>i.contacts[e],words:(i,e)=>Ed(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Ed(i.begun[e]),late:!0},
+{name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Po(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Po(
+i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(a0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):
+a0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>zn(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,
+words:(i,e)=>Ed(i.lost[e]),bad:!0,only_if_any:!0}];function s1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var c0=i=>i.map((e,t)=>({
 name:e,kind:"line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.
 broken[s]??null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":
-"\u2713 holds")}})),o0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>s(a,l)===null?"\u2013":"".concat(Number(s(
+"\u2713 holds")}})),h0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>s(a,l)===null?"\u2013":"".concat(Number(s(
 a,l).toPrecision(6))).concat(t?" ".concat(t):""),o=n==="step"?"":", largest of ".concat(n);return{name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".
-concat(e).concat(o),of:s,words:r}});function a0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?
-i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var sh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
-!0,this.contact_panel=ks("Contacts"),this.input_panel=ks("Inputs",{open:!1}),this.difference_panel=ks("Comparison"),this.places=[...this.sessions.length===2?[this.
+concat(e).concat(o),of:s,words:r}});function u0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<t.step.length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??
+null},r=(o,a)=>s(o,a)===null?"\u2013":"".concat(Number(s(o,a).toPrecision(6))).concat(e?" ".concat(e):"");return{name:i,kind:"line",fit:!0,title:"channel ".concat(
+i),of:s,words:r}}function d0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.
+step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var r1=8,sh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
+return this.chosen.has(this.key(e,t,n))}lanes(){return[...this.chosen.values()].map(({lane:e})=>e)}flip(e,t,n){let s=this.key(e,t,n);if(!this.chosen.delete(s)){
+let[{rows:r,bodies:o}]=this.page.sessions,{name:a,unit:l}=r.channel_heads[e],c=n?"".concat(o.label(t)," and ").concat(o.label(n)):o.label(t),d={step:[],value:[]};
+this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:u0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>r1&&this.chosen.delete(this.chosen.keys().next().value),
+this.read(s)}this.page.set_lanes()}async read(e){let{channel:t,a:n,b:s,history:r}=this.chosen.get(e),o=a=>(Object.assign(r,{step:a.step,value:a.value}),this.page.
+timeline.draw(),this.chosen.has(e));try{o(await this.page.sessions[0].channel_history(t,n,s,o))}catch(a){this.page.header.trouble(a)}}again(){for(let e of this.
+chosen.keys())this.read(e)}};var rh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=zs("Body"),this.blame_panel=zs("Where it comes from"),this.blame_panel.place.hidden=
+!0,this.contact_panel=zs("Contacts"),this.input_panel=zs("Inputs",{open:!1}),this.difference_panel=zs("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
 this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
 next_contacts!==null;){let e=this.next_contacts;this.next_contacts=null,await this.show_contacts(e)}}async show_contacts(e){let t=await Promise.all(this.sessions.
 map(async n=>e<n.head.first||e>n.head.last?{step:e,why_not:"the log has no such step"}:n.contacts_at(n.steps?this.page.own_step(n,e):e)));this.page.player.step===
 e&&(this.page.drawing.contacts=t,this.page.drawing.show(),this.draw_contacts())}draw_contacts(){let{contacts:e}=this.page.drawing,t=this.sessions.length===2;this.
-contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return jg(r,e[s],{selected:this.page.selected,
+contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return n0(r,e[s],{selected:this.page.selected,
 bodies:n,select:o=>this.page.select(o),go:o=>this.page.player.seek(o)}),t?[X("h3",{},X("span",{className:"side side-".concat("ab"[s]),textContent:"AB"[s]})),r]:
 [r]}))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(X("p",{className:"soft",textContent:"Press a body in the view, or search\
  for its id or name."}))}async show_body(e){let t=this.page.selected;if(t===null)return;let n=await Promise.all(this.sessions.map(a=>a.body_at(a.steps?this.page.
 own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return;let s=this.sessions.find(a=>a.bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.
 row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,this.page.toolbar.show(),this.page.drawing.show()}],
 ["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].
-map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));Kg(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
-void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,asked:this.sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(
-e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.open=!0;let r=this.blamed={},o=a=>Qg(this.blame_panel.body,a,this.
-sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);this.
-blamed===r&&o(a)}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){e0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.
-page.player.seek(e),e=>this.page.select(e))}label(e){return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??this.sessions[0]).bodies.label(e)}show_inputs(){
-let{events:e}=this.sessions[0].rows;if(this.inputs_shown===e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel.body.replaceChildren(
-e.length===0?X("p",{className:"soft",textContent:"None."}):X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,text:o})=>{let a=X("button",{type:"button",
-className:"link",textContent:"step ".concat(n)});return a.addEventListener("click",()=>this.page.player.seek(n)),X("li",{},a," ".concat(s).concat(r===null?"":" ".
-concat(this.sessions[0].bodies.short(r))," ").concat(o))}))),e.length>t.length&&this.input_panel.body.append(X("p",{className:"soft",textContent:"and ".concat(e.
-length-t.length," more")}))}};var co={speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},kinetic:{
+map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));t0(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
+void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,bodies:s.bodies,plots:s===this.sessions[0]?this.page.plots:null,asked:this.
+sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.
+open=!0;let r=this.blamed={},o=a=>i0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,
+l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);if(this.blamed!==r)return;o(a);let[l]=a.answers??[];this.page.tell(a.why_not??"".concat(a.field," ").
+concat(ks(a.value)," comes from step ").concat(l.step,", ").concat(l.phase,": ").concat(l.text))}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){
+s0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e)),this.page.tell(Ad(this.page.difference))}label(e){
+return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??this.sessions[0]).bodies.label(e)}show_inputs(){let{events:e}=this.sessions[0].rows;if(this.inputs_shown===
+e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel.body.replaceChildren(e.length===0?X("p",{className:"soft",textContent:"None."}):
+X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,text:o})=>{let a=X("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.
+addEventListener("click",()=>this.page.player.seek(n)),X("li",{},a," ".concat(s).concat(r===null?"":" ".concat(this.sessions[0].bodies.short(r))," ").concat(o))}))),
+e.length>t.length&&this.input_panel.body.append(X("p",{className:"soft",textContent:"and ".concat(e.length-t.length," more")}))}};var ho={speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},kinetic:{
 of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],unit:"J"},energy:{of:(i,e)=>i.energy(e),unit:"J"},contacts:{of:(i,e)=>i.contacts[e],unit:""},
 begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],unit:""},
-broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}},Ta={speed:{of:(i,e)=>i.speed[e],unit:"m/s"},
+broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}},uo={speed:{of:(i,e)=>i.speed[e],unit:"m/s"},
 spin:{of:(i,e)=>i.spin?.[e]??null,unit:"rad/s"},height:{of:(i,e)=>i.z[e],unit:"m"},x:{of:(i,e)=>i.x[e],unit:"m"},y:{of:(i,e)=>i.y[e],unit:"m"},z:{of:(i,e)=>i.z[e],
-unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>e1(i,e,t),unit:"m"}};function e1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.map((r,o)=>[
+unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>o1(i,e,t),unit:"m"}};function o1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.map((r,o)=>[
 r,o]));let n=t.rows.get(i.step[e]),s=n===void 0?[null]:["x","y","z"].map(r=>i[r][e]===null||t[r][n]===null?null:i[r][e]-t[r][n]);return s.includes(null)?null:Math.
-hypot(...s)}var t1={"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e},n1={"\u2265":">=","\u2264":"<=","==":"="};function l0(i,e=[]){
+hypot(...s)}var a1={"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e},l1={"\u2265":">=","\u2264":"<=","==":"="};function f0(i,e=[]){
 let t=i.trim();if(t==="")return{kind:"none"};let n=/^step\s+(\d+)$/i.exec(t);if(n)return{kind:"step",step:Number(n[1])};let s=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.
-exec(t);if(!s)return{kind:"body",text:t};let r=s[1].trim(),o=r.toLowerCase(),a=s[3].replace(/\s*(m\/s|rad\/s|m|J)\s*$/,""),l=Number(a),c=n1[s[2]]??s[2],d=a===""||
-!Number.isFinite(l)?{kind:"wrong",words:'"'.concat(s[3],'" is no number')}:null,u=e.includes(r)?null:/^(\S+)\s+of\s+(.+)$/i.exec(r);if(u){let h=u[1].toLowerCase();
-return h in Ta?d??{kind:"body steps",quantity:h,body:u[2],comparison:c,bound:l}:{kind:"wrong",words:'"'.concat(u[1],'" is no quantity of a body; there are ').concat(
-Object.keys(Ta).join(", "))}}if(!(o in co)&&!e.includes(r)){let h=[...Object.keys(co),...e].join(", ");return{kind:"wrong",words:'"'.concat(r,'" is no quantity;\
- there are ').concat(h)}}return d??{kind:"steps",quantity:o in co?o:r,comparison:c,bound:l}}function c0(i,e,t){let{of:n,body:s}=co[i.quantity]??{of:(r,o)=>e.channels[i.
-quantity]?.[o]??null};return u0(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function h0(i,e,t){let{of:n}=Ta[i.quantity];return u0(i,e.step,s=>n(e,s,t),()=>null)}function u0(i,e,t,n){
-let s=t1[i.comparison],r=[],o=null;for(let a=0;a<e.length;++a){let l=t(a);if(!(l!=null&&s(l,i.bound))){o=null;continue}o||(o={first:e[a],last:e[a],peak:l,at:e[a],
-body:n(a)},r.push(o)),o.last=e[a],Math.abs(l-i.bound)>Math.abs(o.peak-i.bound)&&Object.assign(o,{peak:l,at:e[a],body:n(a)})}return r}var rh=12;function i1(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function d0(i){let e=X(
+exec(t);if(!s)return{kind:"body",text:t};let r=s[1].trim(),o=r.toLowerCase(),a=s[3].replace(/\s*(m\/s|rad\/s|m|J)\s*$/,""),l=Number(a),c=l1[s[2]]??s[2],d=a===""||
+!Number.isFinite(l)?{kind:"wrong",words:'"'.concat(s[3],'" is no number')}:null,u=e.includes(r)?null:/^(.+?)\s+of\s+(.+)$/i.exec(r);if(u){let h=u[1].toLowerCase();
+if(!(h in uo)&&e.includes(u[1]))return d??{kind:"channel steps",quantity:u[1],body:u[2],comparison:c,bound:l};if(!(h in uo)){let f=[...Object.keys(uo),...e].join(
+", ");return{kind:"wrong",words:'"'.concat(u[1],'" is no quantity of a body; there are ').concat(f)}}return d??{kind:"body steps",quantity:h,body:u[2],comparison:c,
+bound:l}}if(!(o in ho)&&!e.includes(r)){let h=[...Object.keys(ho),...e].join(", ");return{kind:"wrong",words:'"'.concat(r,'" is no quantity; there are ').concat(
+h)}}return d??{kind:"steps",quantity:o in ho?o:r,comparison:c,bound:l}}function p0(i,e,t){let{of:n,body:s}=ho[i.quantity]??{of:(r,o)=>e.channels[i.quantity]?.[o]??
+null};return Rd(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function m0(i,e,t){let{of:n}=uo[i.quantity];return Rd(i,e.step,s=>n(e,s,t),()=>null)}function Cd(i,e){return Rd(
+i,e.step,t=>e.value[t],()=>null)}function Rd(i,e,t,n){let s=a1[i.comparison],r=[],o=null;for(let a=0;a<e.length;++a){let l=t(a);if(!(l!=null&&s(l,i.bound))){o=null;
+continue}o||(o={first:e[a],last:e[a],peak:l,at:e[a],body:n(a)},r.push(o)),o.last=e[a],Math.abs(l-i.bound)>Math.abs(o.peak-i.bound)&&Object.assign(o,{peak:l,at:e[a],
+body:n(a)})}return r}var oh=12;function c1(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function g0(i){let e=X(
 "input",{type:"search",placeholder:"speed > 5, speed of 12 > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by \
-a condition, or for a body by id or name");let t=X("output",{}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:h}=i.sessions[0],f=h.find(s.
-text);return t.value=f.length===0?"no such body":"".concat(f.length," bod").concat(f.length===1?"y":"ies"),n.replaceChildren(...f.slice(0,rh).map(m=>X("li",{},Rn(
-h.label(h.id(m)),()=>i.select(h.id(m))),h.label(h.id(m)).includes(h.name(m))?"":" ".concat(h.name(m))))),i.set_hits([]),f},a=()=>{let{rows:h,timeline_done:f}=i.
-sessions[0];return c(c0(s,h,m=>i.separation_at(m)),co[s.quantity]?.unit??"",f)},l=async h=>{let f=s,m=i.sessions.map(({bodies:C})=>C.find(f.body).map(T=>C.id(T))),
-y=[...new Set(m.flat())];if(y.length!==1)return t.value=y.length===0?'no body "'.concat(f.body,'"'):"".concat(y.length,' bodies answer to "').concat(f.body,'"; \
-wanted one'),n.replaceChildren(),i.set_hits([]),[];let{unit:p}=Ta[f.quantity],g=f.quantity==="separation"&&i.sessions.length===2,_=[null,null],S=[],M=C=>s!==f?!1:
-(_[0]&&(!g||_[1])&&(S=c(h0(f,..._),p,C)),!0);try{for(let C of g?[1,0]:[0]){let T=C===0;if(_[C]=await i.sessions[C].history(y[0],x=>(_[C]=x,M(!1)&&s===f)),!M(T))
-return[]}h&&i.selected!==y[0]&&i.select(y[0])}catch(C){s===f&&(t.value=C.message)}return S},c=(h,f,m)=>{let y=m?"":" so far";return t.value=h.length===0?"in no \
-step".concat(y):"".concat(h.length," run").concat(h.length===1?"":"s"," of steps").concat(y,", the first at ").concat(h[0].first),r=h.slice(0,rh).map(p=>{let g=p.
-first===p.last?"step ".concat(p.first):"steps ".concat(p.first," to ").concat(p.last),_=X("li",{},Rn(g,()=>i.player.seek(p.first)),": up to ",Rn("".concat(i1(p.
-peak,f)),()=>i.player.seek(p.at),"at step ".concat(p.at)));return p.body&&_.append(", ",Rn(i.sessions[0].bodies.label(p.body),()=>i.select(p.body))),_}),n.replaceChildren(
-...r),h.length>rh&&n.append(X("li",{className:"soft",textContent:"and ".concat(h.length-rh," more")})),i.set_hits(h),h},d=()=>(r=[],s=l0(e.value,Object.keys(i.sessions[0].
-rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"?(t.value="\u2026",l(!0),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"En\
-ter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",d),e.addEventListener("keydown",h=>{if(h.key==="Escape"&&
-e.blur(),h.key==="Enter"){if(h.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="body steps")i.next_hit(h.shiftKey?-1:1);else if(s.
-kind==="body"){let[f]=d();f!==void 0&&i.select(i.sessions[0].bodies.id(f))}}});let u=(h,f,m)=>{let y=X("button",{type:"button",textContent:h,title:f});return y.
-setAttribute("aria-label",f),y.addEventListener("click",()=>i.next_hit(m)),y};return{place:X("div",{className:"search"},X("div",{className:"search-row"},e,u("\u2039",
-"the run of steps before (N)",-1),u("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(h){r.forEach((f,m)=>f.classList.toggle("at",m===h))},again(){
-if(s.kind==="steps"){let h=i.hit;a(),i.hit=h}else s.kind==="body steps"&&l(!1)}}}var s1=["box","grid","tower","pyramid","wall","pile","thrown"];var r1=["crate","brick","wood","concrete","white"],ho=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
+a condition, or for a body by id or name");let t=X("output",{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:f}=i.
+sessions[0],p=f.find(s.text);return t.value=p.length===0?"no such body":"".concat(p.length," bod").concat(p.length===1?"y":"ies"),n.replaceChildren(...p.slice(0,
+oh).map(y=>X("li",{},kn(f.label(f.id(y)),()=>i.select(f.id(y))),f.label(f.id(y)).includes(f.name(y))?"":" ".concat(f.name(y))))),i.set_hits([]),p},a=()=>{let{rows:f,
+timeline_done:p,unread:y}=i.sessions[0];return y?(t.value="the timeline was not read: ".concat(y),r=[],n.replaceChildren(),i.set_hits([]),[]):d(p0(s,f,m=>i.separation_at(
+m)),ho[s.quantity]?.unit??"",p)},l=async f=>{let p=s,y=i.sessions.map(({bodies:S})=>S.find(p.body).map(_=>S.id(_))),m=[...new Set(y.flat())];if(m.length!==1)return t.
+value=m.length===0?'no body "'.concat(p.body,'"'):"".concat(m.length,' bodies answer to "').concat(p.body,'"; wanted one'),n.replaceChildren(),i.set_hits([]),[];
+let{unit:g}=uo[p.quantity],x=p.quantity==="separation"&&i.sessions.length===2,w=[null,null],b=[],C=S=>s!==p?!1:(w[0]&&(!x||w[1])&&(b=d(m0(p,...w),g,S)),!0);try{
+for(let S of x?[1,0]:[0]){let _=S===0;if(w[S]=await i.sessions[S].history(m[0],M=>(w[S]=M,C(!1)&&s===p)),!C(_))return[]}f&&i.selected!==m[0]&&i.select(m[0])}catch(S){
+s===p&&(t.value=S.message)}return b},c=async()=>{let f=s,[p]=i.sessions,y=p.rows.channel_heads.findIndex(({name:_})=>_===f.quantity),{of:m,unit:g}=p.rows.channel_heads[y],
+x=_=>{t.value=_,n.replaceChildren(),i.set_hits([])},w=m==="pairs"?f.body.split(/\s+and\s+/i):[f.body];if(m==="step")return x('"'.concat(f.quantity,'" is a chann\
+el of the step, not of a body'));if(m==="pairs"&&w.length!==2)return x('"'.concat(f.quantity,'" is a channel of pairs: ').concat(f.quantity," of 1 and 2 > 0"));
+if(!p.channel_history)return x("this page has no channels of single bodies; a served page (tumble view without -o) has");let b=w.map(_=>p.bodies.find(_));for(let[
+_,M]of b.entries())if(M.length!==1)return x(M.length===0?'no body "'.concat(w[_],'"'):"".concat(M.length,' bodies answer to "').concat(w[_],'"; wanted one'));let[
+C,S]=b.map(([_])=>p.bodies.id(_));try{let _=await p.channel_history(y,C,S??0,M=>(s===f&&d(Cd(f,M),g,!1),s===f));s===f&&d(Cd(f,_),g,!0)}catch(_){s===f&&x(_.message)}},
+d=(f,p,y)=>{let m=y?"":" so far";return t.value=f.length===0?"in no step".concat(m):"".concat(f.length," run").concat(f.length===1?"":"s"," of steps").concat(m,
+", the first at ").concat(f[0].first),r=f.slice(0,oh).map(g=>{let x=g.first===g.last?"step ".concat(g.first):"steps ".concat(g.first," to ").concat(g.last),w=X(
+"li",{},kn(x,()=>i.player.seek(g.first)),": up to ",kn("".concat(c1(g.peak,p)),()=>i.player.seek(g.at),"at step ".concat(g.at)));return g.body&&w.append(", ",kn(
+i.sessions[0].bodies.label(g.body),()=>i.select(g.body))),w}),n.replaceChildren(...r),f.length>oh&&n.append(X("li",{className:"soft",textContent:"and ".concat(f.
+length-oh," more")})),i.set_hits(f),f},u=()=>(r=[],s=f0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="bod\
+y steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?l(!0):c(),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".
+concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",u),e.addEventListener("keydown",f=>{if(f.key==="Escape"&&e.blur(),f.key==="\
+Enter"){if(f.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="body steps"||s.kind==="channel steps")i.next_hit(f.shiftKey?
+-1:1);else if(s.kind==="body"){let[p]=u();p!==void 0&&i.select(i.sessions[0].bodies.id(p))}}});let h=(f,p,y)=>{let m=X("button",{type:"button",textContent:f,title:p});
+return m.setAttribute("aria-label",p),m.addEventListener("click",()=>i.next_hit(y)),m};return{place:X("div",{className:"search"},X("div",{className:"search-row"},
+e,h("\u2039","the run of steps before (N)",-1),h("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(f){r.forEach((p,y)=>p.classList.toggle("at",
+y===f))},again(){if(s.kind==="steps"){let f=i.hit;a(),i.hit=f}else s.kind==="body steps"?l(!1):s.kind==="channel steps"&&c()}}}var h1=["box","grid","tower","pyramid","wall","pile","thrown"];var u1=["crate","brick","wood","concrete","white"],fo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
-return this.json.static[e]===1}texture(e){return r1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
-...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=s1[n]??"body";return n===
+return this.json.static[e]===1}texture(e){return u1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
+...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=h1[n]??"body";return n===
 0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}label(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n===
 ""?"body ".concat(e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n!==
 ""&&e>=4503599627370496?n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?
 []:[r]}let n=[...this.rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).
-toLowerCase().includes(t)&&s.push(r);return s}};var f0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],uo=class{constructor(e=[]){
-this.channel_heads=e;for(let t of f0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(t),this.events=[],this.begun_why_not="",this.channels={},this.bounds=
-[]}get count(){return this.step.length}append(e){for(let t of f0)this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(
+toLowerCase().includes(t)&&s.push(r);return s}};var _0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],po=class{constructor(e=[]){
+this.channel_heads=e;for(let t of _0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(t),this.events=[],this.begun_why_not="",this.channels={},this.bounds=
+[]}get count(){return this.step.length}append(e){for(let t of _0)this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(
 this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.
 channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;
 let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;
 return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){
 if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the record with it is damaged"])}return e}broken(e){
 return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){
-return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var o1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function g0(i){if(!("DecompressionStream"in window))
-throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([o1(i)]).stream().pipeThrough(new DecompressionStream("def\
-late"));return new Response(e).arrayBuffer()}var p0=async i=>JSON.parse(new TextDecoder().decode(await g0(i))),m0=i=>i>>>1^-(i&1);function a1(i,e,t,n){let s=e*t,
+return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var d1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function v0(i){if(!("DecompressionStream"in window))
+throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([d1(i)]).stream().pipeThrough(new DecompressionStream("def\
+late"));return new Response(e).arrayBuffer()}var x0=async i=>JSON.parse(new TextDecoder().decode(await v0(i))),y0=i=>i>>>1^-(i&1);function f1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let m=o+d,y=i[m]|i[m+s]<<8|i[m+2*s]<<16|i[m+3*s]<<24,p=m0(y)+2*u-h|0;h=u,u=p,l[f*t+c]=p*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
-t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,m=m0(f)+2*d-u<<16>>16;u=d,d=m,r.turn[(4*h+a)*t+l]=m}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
-e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ad=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new ho(t.bodies),this.rows=new uo(e.channels),this.
+e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=y0(y)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=y0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
+e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Pd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new fo(t.bodies),this.rows=new po(e.channels),this.
 rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
-this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=a1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
+this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=f1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
 map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
 o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(this.steps[o])-
-this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==sr&&(s[d]=
+this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==rr&&(s[d]=
 Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*this.
 head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
 e)===null?{step:e,why_not:"the log of another engine holds no contacts"}:{step:e,why_not:"this page has no contacts of this state; a served page (tumble view wi\
@@ -4183,111 +4209,119 @@ e)<Math.abs(n-e)?s:n)}async way(e){let t=this.bodies.row(e),n=this.bodies.count,
 o);for(let c of this.columns.place)r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async history(e){let t=this.bodies.row(e),n={id:e,step:[],x:[],y:[],z:[],
 speed:[],asleep:[]};for(let s of t===void 0?[]:this.steps){let r=this.frame(s),o=r.mark[t]===1||r.mark[t]===2;n.step.push(s);for(let a of["x","y","z","speed"])n[a].
 push(o?r[a][t]:null);n.asleep.push(o?+(r.mark[t]===2):null)}return n}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===
-sr)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"\
+rr)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"\
 orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y","z"].map(a=>({
-field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function _0(i){let e=[];
-for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([p0("session-".concat(n,"-details")),g0("session-".concat(n,"-frames"))]);e.push(new Ad(s,r,o))}let t=document.
-getElementById("session-0-difference")?await p0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var l1=16e7,Ed=24,c1=700,h1=120;async function x0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
-if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ui=async(i,e)=>(await x0(i,e)).json();function u1(i){let e=new DataView(
+field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function b0(i){let e=[];
+for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([x0("session-".concat(n,"-details")),v0("session-".concat(n,"-frames"))]);e.push(new Pd(s,r,o))}let t=document.
+getElementById("session-0-difference")?await x0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var p1=16e7,Id=24,m1=700,g1=120;async function M0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await M0(i,e)).json();function _1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(y=>e.getUint32(n+y,!0));n+=16;let l=[0,1,2,3].map(y=>new Float32Array(i,n+4*y*o,o));n+=16*o;
-let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,m]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:m,turn:c,
-mark:d})}return t}var Cd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new ho(n),this.rows=new uo(t.channels),this.steps=null,this.
-timeline_done=!1,this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().
-filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.index(e);return t<0?(e-this.
-head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*e.rows+64;this.cache.set(
-e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=l1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await x0(
-"frames",{log:this.log,first:e,count:t,stride:n}),r=u1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&
-await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await ui("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){return this.cache.has(
-e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Ed/2&&this.cache.has(s);++o)s+=
-n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Ed-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.asked.add(r),this.fetch(
-r,Ed,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.size>64&&this.contact_cache.
-clear(),this.contact_cache.set(e,await ui("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)}async history(e,t){this.histories??=new Map;let n=this.histories.
-get(e)??{id:e,next:this.head.first,step:[],x:[],y:[],z:[],speed:[],spin:[],asleep:[]};for(this.histories.size>16&&this.histories.clear(),this.histories.set(e,n);n.
-next<=this.head.last;){let s=n.next,r=await ui("history",{log:this.log,id:e,from:s});if(r.why_not)throw new Error(r.why_not);if(n.next===s){for(let o of["step",
-"x","y","z","speed","spin","asleep"])n[o].push(...r[o]);if(n.next=r.next,n.rows=void 0,r.next===s||!t(n))break}}return n}way(e){return ui("way",{log:this.log,id:e})}body_at(e,t){
-return ui("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return ui("blame",{log:this.log,step:e,id:t,field:n,back:s})}async take_news(){let e=await ui("news",
-{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=await ui("head",{log:this.log})),e.version>this.bodies.version&&await this.
-fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await ui("timeline",{log:this.log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),this.
-rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.length<Math.min(e.begun,this.rows.count);){let s=await ui("begun",{log:this.
-log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=!0}return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=
-e.contacts_why_not,this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function y0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Cd(
-s,n,await ui("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
-take_news()||l;o||(r=await ui("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
-u.busy);(c||d)&&setTimeout(a,d&&!c?h1:c1)};a()}}}var d1=30,f1=22,v0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function M0(i){let e=Math.min(devicePixelRatio,
+let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
+mark:d})}return t}var Ld=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new fo(n),this.rows=new po(t.channels),this.steps=null,this.
+timeline_done=!1,this.note="",this.unread="",this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[
+...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.
+index(e);return t<0?(e-this.head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*
+e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=p1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
+64}}async fetch(e,t,n){let s=await M0("frames",{log:this.log,first:e,count:t,stride:n}),r=_1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(
+a=>a.version))>this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await ii("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){
+return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Id/2&&this.
+cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Id-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.
+asked.add(r),this.fetch(r,Id,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.
+size>64&&this.contact_cache.clear(),this.contact_cache.set(e,await ii("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)}async history(e,t){this.histories??=
+new Map;let n=this.histories.get(e)??{id:e,next:this.head.first,step:[],x:[],y:[],z:[],speed:[],spin:[],asleep:[]};for(this.histories.size>16&&this.histories.clear(),
+this.histories.set(e,n);n.next<=this.head.last;){let s=n.next,r=await ii("history",{log:this.log,id:e,from:s});if(r.why_not)throw new Error(r.why_not);if(n.next===
+s){for(let o of["step","x","y","z","speed","spin","asleep"])n[o].push(...r[o]);if(n.next=r.next,n.rows=void 0,r.next===s||!t(n))break}}return n}async channel_history(e,t,n,s){
+this.channel_histories??=new Map;let r="".concat(e," ").concat(t," ").concat(n),o=this.channel_histories.get(r)??{next:this.head.first,step:[],value:[]};for(this.
+channel_histories.size>16&&this.channel_histories.clear(),this.channel_histories.set(r,o);o.next<=this.head.last;){let a=o.next,l=await ii("channel",{log:this.log,
+channel:e,a:t,b:n,from:a});if(l.why_not)throw new Error(l.why_not);if(o.next===a){for(let c of["step","value"])o[c].push(...l[c]);if(o.next=l.next,l.next===a||!s(
+o))break}}return o}way(e){return ii("way",{log:this.log,id:e})}body_at(e,t){return ii("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return ii("blame",{log:this.
+log,step:e,id:t,field:n,back:s})}async take_news(){let e=await ii("news",{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=
+await ii("head",{log:this.log})),e.version>this.bodies.version&&await this.fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await ii("timeline",{log:this.
+log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),this.rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.
+length<Math.min(e.begun,this.rows.count);){let s=await ii("begun",{log:this.log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=
+!0}for(let s of["note","unread"])e[s]!==this[s]&&(n=!0),this[s]=e[s];return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=e.contacts_why_not,
+this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function S0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Ld(s,
+n,await ii("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
+take_news()||l;o||(r=await ii("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
+u.busy);(c||d)&&setTimeout(a,d&&!c?g1:m1)};a()}}}var x1=30,y1=22,w0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function T0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
-"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function p1(i,e,t,n){let s=new Float64Array(Math.
+"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function v1(i,e,t,n){let s=new Float64Array(Math.
 ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(
-s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function m1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
+s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function b1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
 i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=
-s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function g1(i,e,t,n,s,r){let{context:o,width:a,height:l}=M0(i),c=p1(t,e.of,n,a),d=m1(c,e,t);if(!d)return!1;let u=e.log?
-_=>Math.log(Math.max(_,1e-18)):_=>_,[h,f]=[u(d.bottom),u(d.top)],m=_=>l-2-(l-5)*(u(_)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
-r.bad;for(let _=0;_<t.count;++_)e.broken(t,_)&&o.fillRect(n(t.step[_]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let _=0;_<c.high.length;++_)c.high[_]>0&&o.
-fillRect(_,m(c.high[_]),1.2,l-1-m(c.high[_]));return!0}o.beginPath();let y=!1,p=0,g=0;for(let _=0;_<c.high.length;++_)c.high[_]!==-1/0&&(y||o.moveTo(g=_,m(c.high[_])),
-y=!0,o.lineTo(_,m(c.high[_])),c.low[_]!==c.high[_]&&o.lineTo(_,m(c.low[_])),p=_);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
-p,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function b0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline"}),o=X(
-"div",{className:"cursor"}),a=v0(f1),l=X("span",{className:"value"}),c=[],d=0,u=_=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,S,M,C="")=>X("div",
-{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:_}),S),M),f=_=>{c=_.map(S=>{let M=v0(d1),C=X("span",{className:"value"});return{lane:S,
-canvas:M,value:C,row:h(S.name,C,M,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},m=()=>{let{context:_,width:S,height:M}=M0(a),C=s(),
-{gaps:T,inputs:x,hits:b,first_difference:L}=n(),R=u(S);_.fillStyle=C.line,_.fillRect(0,M/2-1,S,2);for(let[P,F]of T)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(
-R(P),2,Math.max(2,R(F)-R(P)),M-4),_.globalAlpha=1;_.fillStyle=C.select;for(let P of b)_.fillRect(R(P.first),M-7,Math.max(2,R(P.last)-R(P.first)),6);_.fillStyle=
-C.ink;for(let{step:P}of x){let F=R(P);_.beginPath(),_.moveTo(F-4,1),_.lineTo(F+4,1),_.lineTo(F,9),_.fill()}L!==null&&(_.fillStyle=C.bad,_.fillRect(R(L)-1,0,2,M),
-_.beginPath(),_.moveTo(R(L)+1,0),_.lineTo(R(L)+9,4),_.lineTo(R(L)+1,8),_.fill())},y=()=>{let _=i.index(d),S=i.reaches(d)?_:-1;for(let{lane:T,value:x}of c)x.textContent=
-S<0||i.step[S]===void 0?"\u2013":T.words(i,S);let M=n().inputs.filter(T=>T.step===d);l.textContent=M.length>0?M.map(({kind:T,body:x})=>"".concat(T).concat(x?" ".
-concat(x):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="t\
-ranslateX(".concat(C,"px)")},p=()=>{if(a.clientWidth===0)return;let _=s();m(),c.forEach(({lane:S,canvas:M,row:C},T)=>{let x=g1(M,S,i,u(M.clientWidth),S.bad?_.bad:
-_.lanes[T%_.lanes.length],_);C.hidden=!x&&(S.only_if_any||S.late)}),y()},g=_=>{if(_.buttons===0)return;let S=a.getBoundingClientRect(),M=Math.min(1,Math.max(0,(_.
-clientX-S.left)/Math.max(1,S.width-1)));t(Math.round(e().first+M*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&
-(r.setPointerCapture(_.pointerId),g(_))}),r.addEventListener("pointermove",g),new ResizeObserver(p).observe(r),{place:r,draw:p,set_lanes:f,show(_){d=_,y()}}}function S0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,m,y)=>{let p=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return p.
-addEventListener("click",()=>{y(),u()}),{made:p,is_on:m}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function M1(i,e,t,n,s,r){let{context:o,width:a,height:l}=T0(i),c=v1(t,e.of,n,a),d=b1(c,e,t);if(!d)return!1;let u=e.log?
+x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
+r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.
+fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,m=0,g=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(g=x,p(c.high[x])),
+y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),m=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
+m,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function A0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
+group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=w0(y1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
+Math.max(1,e().last-e().first)*(x-1),h=(x,w,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),w),b),f=x=>{c=x.map(
+w=>{let b=w0(x1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
+o)},p=()=>{let{context:x,width:w,height:b}=T0(a),C=s(),{gaps:S,inputs:_,hits:M,first_difference:P}=n(),R=u(w);x.fillStyle=C.line,x.fillRect(0,b/2-1,w,2);for(let[
+I,F]of S)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(R(I),2,Math.max(2,R(F)-R(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(R(I.first),
+b-7,Math.max(2,R(I.last)-R(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){let F=R(I);x.beginPath(),x.moveTo(F-4,1),x.lineTo(F+4,1),x.lineTo(F,9),x.fill()}P!==
+null&&(x.fillStyle=C.bad,x.fillRect(R(P)-1,0,2,b),x.beginPath(),x.moveTo(R(P)+1,0),x.lineTo(R(P)+9,4),x.lineTo(R(P)+1,8),x.fill())},y=()=>{let x=i.index(d),w=i.
+reaches(d)?x:-1;for(let{lane:S,value:_}of c)_.textContent=w<0||i.step[w]===void 0?"\u2013":S.words(i,w);let b=n().inputs.filter(S=>S.step===d);l.textContent=b.length>
+0?b.map(({kind:S,body:_})=>"".concat(S).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
+offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},m=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
+let _=M1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},g=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
+b=Math.min(1,Math.max(0,(x.clientX-w.left)/Math.max(1,w.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
+x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),g(x))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,
+show(x){d=x,y()}}}function E0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
+addEventListener("click",()=>{y(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
 r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"\
 Whole scene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(
-f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar"},X("label",{},"Colour by ",s),...c.map(({made:h})=>h),d),show:u,flip:{
-c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var _1=60,Rd=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
-sessions)s.label=o=>r.label(o);this.steps=new rr(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
-this.player=Qc({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s)}),this.header=Zg(this),this.view=X("div",{className:"view3d"}),this.said=X("output",{className:"\
-said"}),this.drawing=new ih(this.view,this.sessions,s=>this.select(s)),this.timeline=b0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Ki,marks:()=>this.
-marks()}),this.search=d0(this),this.side=new sh(this),this.toolbar=S0(this),this.keys=n0(this),e.replaceChildren(this.header.place,X("div",{className:"work"},X(
-"section",{className:"shown",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.player.bar,this.timeline.place),X("aside",{ariaLabel:"sear\
-ch and numbers"},this.search.place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.sessions.length===
-2&&this.side.show_difference()}union_of_steps(){return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-t):null}async start(){
-let e=/(?:^#|&)step=(\d+)/.exec(location.hash),t=/(?:^#|&)body=(\d+)/.exec(location.hash),n=this.steps.at_or_before(e?Number(e[1]):this.steps.first);this.drawing.
-frames=await Promise.all(this.sessions.map(s=>s.frame_soon(n).catch(()=>null))),this.drawing.start(),this.player.seek(n),this.player.refresh(),t&&this.select(Number(
-t[1]));for(let s of this.sessions)s.on_bodies=()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(this.view),Xa(()=>{
-this.drawing.restart(),this.timeline.draw()}),this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){let[{rows:e}]=this.
-sessions;return{gaps:this.sessions.flatMap(t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null}}set_lanes(){let{rows:e}=this.
-sessions[0],t=[...r0(this.bounds),...s0,...o0(e)];this.difference?.separation&&t.unshift(a0(this.difference.separation)),this.timeline.set_lanes(t),this.timeline.
-draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??1/0])),this.separations.get(e)??
-null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.difference?.separation;
-this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&this.player.seek(n),
-this.header.show(),this.side.show_inputs(),this.search.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.asked,n=this.sessions.map(s=>s.frame(
-s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.player.stride);n.every(s=>s!==null)?
-this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),_1)}own_step(e,t){return new rr(e.head.first,e.
-head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.now(),r=await Promise.
-all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,(t===this.asked||this.
-player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;this.wanted=null,n&&this.
-fetch_frames(...n)}show_frames(e,t){this.drawing.frames=t,this.drawing.show(),this.shown=e;let n=this.words(e,t);this.said.value=n,this.player.slider.setAttribute(
-"aria-valuetext",n);let s=t[0]&&t[0].status!==0?this.sessions[0].gap_at(e):null,r=t.every(o=>o===null||o.status!==0);this.drawing.over.hidden=!r,this.drawing.over.
-textContent=r?s?"Step ".concat(e," is not here: ").concat(s[2],"."):"The state of step ".concat(e," cannot be read."):""}words(e,t){let[n]=this.sessions,[s]=t,r=[
-"step ".concat(e),"".concat(n.time_of(e).toFixed(3)," s")];if(s&&s.status===0){let o=[0,0,0,0];for(let a of s.mark)++o[a];if(r.push("".concat(o[1]+o[2]+o[3]," b\
-odies, ").concat(o[2]," asleep")),o[3]>0){let a=s.mark.indexOf(3);r.push("".concat(n.bodies.label(n.bodies.id(a))).concat(o[3]>1?" and ".concat(o[3]-1," more"):
-""," lost: no numbers"))}s.step!==e&&r.push("A shows step ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(e)[2]);if(this.sessions.length===2){let o=this.difference?.
-first?.step,a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?"infinitely far apart":"at most ".concat(a.toPrecision(3),
-" m apart"))}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===null?"":"&body=".concat(this.selected));try{history.replaceState(
-null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.header.trouble(n))}refresh(){this.player.refresh()}select(e){
-this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().catch(t=>this.header.
-trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.first?.step;e!==
-void 0&&this.player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%
-this.hits.length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function w0(i){try{let e=JSON.
-parse(document.getElementById("session-head").textContent),t=await(e.mode==="sent"?_0:y0)(e);await new Rd(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.
-append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function x1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
-groups??"").split(" "),s=Ep(i,e,{first:t,groups:n}),r=Xg(i,e,s.show_step);Xa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function y1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Pd(i){return e=>{
-try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var A0=document.createElement(
-"style");A0.textContent=Jd+Kd+jd;document.head.append(A0);for(let i of document.querySelectorAll("table.glance"))Pd(Np)(i);for(let i of document.querySelectorAll(
-".drawing"))y1(i,Pd(x1));for(let i of document.querySelectorAll(".pictures"))Pd(Cp)(i);var T0=document.getElementById("session");T0&&w0(T0);})();
+f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar",role:"group",ariaLabel:"what is drawn"},X("label",{},"Colour by ",
+s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var S1=60,Nd=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
+sessions)s.label=o=>r.label(o);this.steps=new or(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
+this.player=Qc({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=Qg(this),this.view=X("div",{className:"view3\
+d"}),this.said=X("output",{className:"said"}),this.told=X("output",{className:"told",ariaLabel:"what has happened"}),this.drawing=new ih(this.view,this.sessions,
+s=>this.select(s)),this.timeline=A0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Ki,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
+new sh(this):null,this.search=g0(this),this.side=new rh(this),this.toolbar=E0(this),this.keys=o0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
+ork"},X("section",{className:"shown",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.told,this.player.bar,this.timeline.place),X("aside",
+{ariaLabel:"search and numbers"},this.search.place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.
+sessions.length===2&&this.side.show_difference()}union_of_steps(){return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-
+t):null}async start(){let e=/(?:^#|&)step=(\d+)/.exec(location.hash),t=/(?:^#|&)body=(\d+)/.exec(location.hash),n=this.steps.at_or_before(e?Number(e[1]):this.steps.
+first);this.drawing.frames=await Promise.all(this.sessions.map(s=>s.frame_soon(n).catch(()=>null))),this.drawing.start(),this.player.seek(n),this.player.refresh(),
+t&&this.select(Number(t[1]));for(let s of this.sessions)s.on_bodies=()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(
+this.view),Xa(()=>{this.drawing.restart(),this.timeline.draw()}),this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){
+let[{rows:e}]=this.sessions;return{gaps:this.sessions.flatMap(t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null}}set_lanes(){
+let{rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...c0(this.bounds),...l0,...h0(e)];this.difference?.separation&&t.unshift(d0(this.difference.separation)),
+this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??
+1/0])),this.separations.get(e)??null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.
+difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&
+this.player.seek(n),this.header.show(),this.side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.
+asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.
+player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),S1)}own_step(e,t){
+return new or(e.head.first,e.head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.
+now(),r=await Promise.all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,
+(t===this.asked||this.player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;
+this.wanted=null,n&&this.fetch_frames(...n)}show_frames(e,t){this.drawing.frames=t,this.drawing.show(),this.shown=e;let n=this.words(e,t);this.said.value=n,this.
+player.slider.setAttribute("aria-valuetext",n);let s=t[0]&&t[0].status!==0?this.sessions[0].gap_at(e):null,r=t.every(o=>o===null||o.status!==0);this.drawing.over.
+hidden=!r,this.drawing.over.textContent=r?s?"Step ".concat(e," is not here: ").concat(s[2],"."):"The state of step ".concat(e," cannot be read."):""}words(e,t){
+let[n]=this.sessions,[s]=t,r=["step ".concat(e),"".concat(n.time_of(e).toFixed(3)," s")];if(s&&s.status===0){let o=[0,0,0,0];for(let a of s.mark)++o[a];if(r.push(
+"".concat(o[1]+o[2]+o[3]," bodies, ").concat(o[2]," asleep")),o[3]>0){let a=s.mark.indexOf(3);r.push("".concat(n.bodies.label(n.bodies.id(a))).concat(o[3]>1?" a\
+nd ".concat(o[3]-1," more"):""," lost: no numbers"))}s.step!==e&&r.push("A shows step ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(e)[2]);if(this.sessions.
+length===2){let o=this.difference?.first?.step,a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?"infinitely far apart":
+"at most ".concat(a.toPrecision(3)," m apart"))}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===null?"":"&body=".concat(
+this.selected));try{history.replaceState(null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.header.trouble(n))}refresh(){
+this.player.refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_playing(e){this.said.setAttribute("aria-live",e===0?"polite":"off"),this.tell(e===
+0?"stopped at ".concat(this.said.value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell(e===null?"no body is chosen":"".concat(this.side.
+label(e)," is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().
+catch(t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.
+first?.step;e!==void 0&&this.player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+
+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function C0(i){
+try{let e=JSON.parse(document.getElementById("session-head").textContent),t=await(e.mode==="sent"?b0:S0)(e);await new Nd(i,{...t,bounds:e.bounds??[]}).start()}catch(e){
+throw i.append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function w1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+groups??"").split(" "),s=Ip(i,e,{first:t,groups:n}),r=Zg(i,e,s.show_step);Xa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
+i)}function T1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Dd(i){return e=>{
+try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var P0=document.createElement(
+"style");P0.textContent=ef+tf+nf;document.head.append(P0);for(let i of document.querySelectorAll("table.glance"))Dd(Op)(i);for(let i of document.querySelectorAll(
+".drawing"))T1(i,Dd(w1));for(let i of document.querySelectorAll(".pictures"))Dd(Lp)(i);var R0=document.getElementById("session");R0&&C0(R0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

@@ -123,7 +123,7 @@ class View {
     if (this.stage) return;
     const canvas = element("canvas", { tabIndex: 0 });
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "The bodies in three dimensions. Arrow keys turn the view, + and - zoom.");
+    canvas.setAttribute("aria-label", "The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom.");
     this.place.replaceChildren(canvas);
     const hue = colours();
     const box = box_of(this.data);

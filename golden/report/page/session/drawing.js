@@ -24,7 +24,7 @@ export class Drawing {
   open() {
     const canvas = element("canvas", { tabIndex: 0 });
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "The bodies in three dimensions. Arrow keys turn the view, + and - zoom.");
+    canvas.setAttribute("aria-label", "The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom.");
     this.canvas = canvas;
     this.tags = this.sessions.map((_, i) => element("span", { className: "tag", hidden: this.sessions.length < 2,
       textContent: i === 0 ? "A" : "B, ghost" }));

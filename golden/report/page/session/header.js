@@ -22,6 +22,8 @@ function notices_of(page) {
     const { head, thin } = session;
     if (!head.sound && head.finished) notices.push(["fail", `${who}${head.summary}`]);
     for (const [first, last, why] of session.gaps()) notices.push(["fail", `${who}steps ${first} to ${last}: ${why}`]);
+    if (session.note) notices.push(["fail", `${who}${session.note}`]);
+    if (session.unread && session.unread !== session.note) notices.push(["fail", `${who}The timeline was not read: ${session.unread}`]);
     if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows lengths in m, z up`]);
     if (!thin) return;
     const every = thin.every > 1;

@@ -6,7 +6,7 @@ const kKeys = [
   ["Space", "play, or stop"], ["J  K  L", "play backwards, stop, play"], ["← →", "one step back, on; with Shift ten"],
   ["Home End", "first, last step"], ["[  ]", "the input, difference, gap or break of a bound before, after"], ["d", "the first difference"],
   ["/", "search"], ["n  N", "next run of steps found, the one before"], ["c  w  s  f  r", "contacts, ways, side by side, follow, whole scene"],
-  ["Esc", "let the body go"], ["arrows, + −", "in the view: turn, zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"],
+  ["Esc", "let the body go"], ["arrows, + −", "in the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"],
 ];
 
 function beside(page, way) {

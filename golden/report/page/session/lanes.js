@@ -47,6 +47,17 @@ export const channel_lanes = (rows) => rows.channel_heads.map(({ name, unit, of:
   return { name: `${name}${most}`, kind: "line", fit: true, title: `channel ${name}${most}`, of, words };
 });
 
+/// The lane of a channel of one body or pair. history: channel_history(), which grows.
+export function owner_lane(name, unit, history) {
+  const at = new Map();
+  const of = (rows, i) => {
+    while (at.size < history.step.length) at.set(history.step[at.size], history.value[at.size]);
+    return at.get(rows.step[i]) ?? null;
+  };
+  const words = (rows, i) => (of(rows, i) === null ? "–" : `${Number(of(rows, i).toPrecision(6))}${unit ? ` ${unit}` : ""}`);
+  return { name, kind: "line", fit: true, title: `channel ${name}`, of, words };
+}
+
 /// The lane of the distance between two sessions; logarithmic, since it grows by powers.
 export function separation_lane(separation) {
   const at = new Map(separation.step.map((step, i) => [step, i]));

@@ -8,8 +8,10 @@ export const say = (value) => (typeof value === "number" ? String(value) : Strin
 const cell = (words, className = "") => element("td", { textContent: words, className });
 const row_of = (...cells) => element("tr", {}, ...cells);
 
-export function link(words, action, title = "") {
+/// said: what a screen reader says instead of the words, where they are a bare number.
+export function link(words, action, title = "", said = null) {
   const made = element("button", { type: "button", className: "link", textContent: words, title });
+  if (said !== null) made.setAttribute("aria-label", said);
   made.addEventListener("click", action);
   return made;
 }
@@ -21,13 +23,35 @@ export function panel(title, { open = true, id = "" } = {}) {
   return { place, body };
 }
 
+/// The channels of a body and of its pairs, each with a button that draws it in the timeline. plots: as page.plots.
+function channel_table(channels, id, bodies, plots) {
+  const rows = channels.map(({ field, value, channel, with: other }) => {
+    const name = other === null ? field : `${field} with ${bodies.label(other)}`;
+    const plot = cell("", "number");
+    if (channel !== null && plots) {
+      const made = element("button", { type: "button", className: "link", textContent: "plot" });
+      const show = () => made.setAttribute("aria-pressed", String(plots.has(channel, id, other ?? 0)));
+      made.setAttribute("aria-label", `plot ${name} in the timeline`);
+      made.addEventListener("click", () => {
+        plots.flip(channel, id, other ?? 0);
+        show();
+      });
+      show();
+      plot.append(made);
+    }
+    return row_of(element("th", { scope: "row", textContent: name }), cell(value, "number"), plot);
+  });
+  return element("div", { className: "scroll" }, element("table", { className: "numbers" },
+    element("caption", { textContent: "Channels" }), element("tbody", {}, ...rows)));
+}
+
 /// answers: one of body_at() a session. asked(field): null, or what is called when a value is pressed.
-export function show_body(body, { label, name, size, answers, actions, asked = null }) {
+export function show_body(body, { id, label, name, size, answers, actions, bodies, plots = null, asked = null }) {
   const heads = answers.length === 2 ? ["A", "B"] : ["value"];
   const lost = answers.find((answer) => answer.why_not);
-  const table = element("table", { className: "numbers" });
-  table.append(element("thead", {}, row_of(element("th", { textContent: "field" }),
-    ...heads.map((head) => element("th", { textContent: head, className: "number" })))));
+  const table = element("table", { className: "numbers", ariaLabel: `values of ${label}` });
+  table.append(element("thead", {}, row_of(element("th", { scope: "col", textContent: "field" }),
+    ...heads.map((head) => element("th", { scope: "col", textContent: head, className: "number" })))));
   const rows = element("tbody");
   const first = answers.find((answer) => answer.fields);
   for (const [i, { field }] of (first?.fields ?? []).entries()) {
@@ -36,7 +60,10 @@ export function show_body(body, { label, name, size, answers, actions, asked = n
     const differs = bits.length === 2 && bits[0] !== bits[1];
     const made = row_of(element("th", { scope: "row", textContent: field }), ...values.map((value) => {
       const shown = cell("", "number");
-      if (value && asked) shown.append(link(say(value.value), () => asked(field), `${value.hex ?? ""} – where does it come from?`));
+      if (value && asked) {
+        shown.append(link(say(value.value), () => asked(field), `${value.hex ?? ""} – where does it come from?`,
+          `${field} ${say(value.value)}: where does it come from?`));
+      }
       else shown.textContent = say(value?.value);
       if (value?.hex) shown.title = value.hex;
       return shown;
@@ -50,9 +77,7 @@ export function show_body(body, { label, name, size, answers, actions, asked = n
   body.replaceChildren(element("p", {}, element("strong", { textContent: label.replace(/^body /, "Body ") }), ` ${facts.join(" · ")}`), actions);
   if (first) body.append(element("div", { className: "scroll" }, table));
   if (first?.channels?.length > 0) {
-    body.append(element("div", { className: "scroll" }, element("table", { className: "numbers" },
-      element("caption", { textContent: "Channels" }), element("tbody", {}, ...first.channels.map(({ field, value }) =>
-        row_of(element("th", { scope: "row", textContent: field }), cell(value, "number")))))));
+    body.append(channel_table(first.channels, id, bodies, plots));
   }
   if (lost) body.append(element("p", { className: "soft", textContent: `${answers.length === 2 ? `${answers.indexOf(lost) === 0 ? "A" : "B"}: ` : ""}${lost.why_not}` }));
   if (first?.rounded) body.append(element("p", { className: "soft", textContent: "Rounded in this page; tumble dump prints every bit." }));
@@ -76,11 +101,12 @@ export function show_contacts(body, answer, { selected, bodies, select, go }) {
   if (sorted.length === 0) return undefined;
   const rows = element("tbody", {}, ...sorted.map((row) => {
     const who = cell("");
-    who.append(link(bodies.short(row[0]), () => select(row[0])), " – ", row[1] === 0 ? "ground" : link(bodies.short(row[1]), () => select(row[1])));
+    const body_of = (id) => link(bodies.short(id), () => select(id), "", bodies.label(id));
+    who.append(body_of(row[0]), " – ", row[1] === 0 ? "ground" : body_of(row[1]));
     return row_of(who, cell(`${Number((row[9] ?? 0).toPrecision(3))} N s`, "number"), cell(metres(row[8]), "number"));
   }));
-  const table = element("table", { className: "numbers" }, element("thead", {}, row_of(element("th", { textContent: "bodies" }),
-    element("th", { textContent: "impulse", className: "number" }), element("th", { textContent: "depth", className: "number" }))), rows);
+  const table = element("table", { className: "numbers", ariaLabel: "contacts, the strongest first" }, element("thead", {}, row_of(element("th", { scope: "col", textContent: "bodies" }),
+    element("th", { scope: "col", textContent: "impulse", className: "number" }), element("th", { scope: "col", textContent: "depth", className: "number" }))), rows);
   body.append(element("div", { className: "scroll" }, table));
   if (mine.length > sorted.length) body.append(element("p", { className: "soft", textContent: "The strongest are listed." }));
   return undefined;
@@ -124,7 +150,7 @@ function phases_table(partings, go) {
   const rows = element("tbody", {}, ...partings.rows.map((phase) => {
     const at = cell("", "number");
     if (phase.step === null) at.textContent = "never";
-    else at.append(link(String(phase.step), () => go(phase.step)));
+    else at.append(link(String(phase.step), () => go(phase.step), "", `step ${phase.step}`));
     const made = row_of(element("th", { scope: "row", textContent: phase.phase }), at,
       cell(phase.step === null ? "" : String(phase.substep), "number"), cell(String(phase.steps), "number"));
     made.classList.toggle("differs", phase.step === partings.from);
@@ -133,7 +159,22 @@ function phases_table(partings, go) {
   const heads = ["phase", "from step", "substep", "steps"];
   return element("div", { className: "scroll" }, element("table", { className: "numbers phases" },
     element("caption", { textContent: `Phases in which the two part, steps ${partings.from} to ${partings.last}` }),
-    element("thead", {}, row_of(...heads.map((words, i) => element("th", { textContent: words, className: i > 0 ? "number" : "" })))), rows));
+    element("thead", {}, row_of(...heads.map((words, i) => element("th", { scope: "col", textContent: words, className: i > 0 ? "number" : "" })))), rows));
+}
+
+/// What was found, in a sentence; empty while it is not known.
+export function verdict_of(found) {
+  if (!found || found.state === "working") return "";
+  if (found.state === "failed") return found.why;
+  const { first } = found;
+  if (!first) {
+    const [a, b] = found.last;
+    return found.identical ? `Identical: ${found.steps} steps, the same in ${found.every_bit}.`
+      : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.`;
+  }
+  const where = [`step ${first.step}`, `phase ${first.phase}`];
+  if (first.substep !== null) where.push(`substep ${first.substep}`);
+  return `First difference: ${where.join(", ")}`;
 }
 
 /// found: difference_data() of the program. label(id), go(step), select(id).
@@ -142,19 +183,16 @@ export function show_difference(body, found, label, go, select) {
     const share = found ? ` (${Math.floor(100 * found.done)} %)` : "";
     return body.replaceChildren(element("p", { textContent: `Comparing every byte of both${share} …` }));
   }
-  if (found.state === "failed") return body.replaceChildren(element("p", { className: "bad", textContent: found.why }));
+  const verdict = verdict_of(found);
+  if (found.state === "failed") return body.replaceChildren(element("p", { className: "bad", textContent: verdict }));
   const parts = [];
   const first = found.first;
   if (!first) {
-    const [a, b] = found.last;
-    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, the same in ${found.every_bit}.`
-      : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.` }));
+    parts.push(element("p", { className: "good", textContent: verdict }));
     parts.push(element("p", { textContent: `Compared: ${(found.compared ?? []).join(", ")}.` }),
       element("p", { className: "soft", textContent: `Not compared: ${(found.not_compared ?? []).join("; ")}.` }));
   } else {
-    const where = [`step ${first.step}`, `phase ${first.phase}`];
-    if (first.substep !== null) where.push(`substep ${first.substep}`);
-    parts.push(element("p", {}, element("strong", { textContent: `First difference: ${where.join(", ")}` })));
+    parts.push(element("p", {}, element("strong", { textContent: verdict })));
     if (found.cause) parts.push(element("p", { textContent: `Cause: ${found.cause}` }));
     const effect = found.effect ?? first;
     const what = element("p", {});

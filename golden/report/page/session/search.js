@@ -46,7 +46,7 @@ const kComparisons = {
 const kWords = { "≥": ">=", "≤": "<=", "==": "=" };
 
 /// Reads a query: {kind: "body", text}, {kind: "steps", quantity, comparison, bound}, {kind: "body steps", quantity,
-/// body, comparison, bound}, {kind: "step", step} or {kind: "wrong", words}. channels: names of further columns.
+/// body, comparison, bound}, likewise {kind: "channel steps", …} of a channel, {kind: "step", step} or {kind: "wrong", words}. channels: names of further columns.
 export function parse_query(text, channels = []) {
   const trimmed = text.trim();
   if (trimmed === "") return { kind: "none" };
@@ -60,11 +60,15 @@ export function parse_query(text, channels = []) {
   const bound = Number(number);
   const comparison = kWords[found[2]] ?? found[2];
   const no_number = number === "" || !Number.isFinite(bound) ? { kind: "wrong", words: `"${found[3]}" is no number` } : null;
-  const of = channels.includes(name) ? null : /^(\S+)\s+of\s+(.+)$/i.exec(name);
+  const of = channels.includes(name) ? null : /^(.+?)\s+of\s+(.+)$/i.exec(name);
   if (of) {
     const part = of[1].toLowerCase();
+    if (!(part in kBodyQuantities) && channels.includes(of[1])) {
+      return no_number ?? { kind: "channel steps", quantity: of[1], body: of[2], comparison, bound };
+    }
     if (!(part in kBodyQuantities)) {
-      return { kind: "wrong", words: `"${of[1]}" is no quantity of a body; there are ${Object.keys(kBodyQuantities).join(", ")}` };
+      const known = [...Object.keys(kBodyQuantities), ...channels].join(", ");
+      return { kind: "wrong", words: `"${of[1]}" is no quantity of a body; there are ${known}` };
     }
     return no_number ?? { kind: "body steps", quantity: part, body: of[2], comparison, bound };
   }
@@ -86,6 +90,11 @@ export function find_runs(query, rows, separation) {
 export function find_body_runs(query, one, other) {
   const { of } = kBodyQuantities[query.quantity];
   return runs_of(query, one.step, (i) => of(one, i, other), () => null);
+}
+
+/// Likewise for a channel of one body or pair. history: channel_history().
+export function find_channel_runs(query, history) {
+  return runs_of(query, history.step, (i) => history.value[i], () => null);
 }
 
 function runs_of(query, step, value_in, body_in) {

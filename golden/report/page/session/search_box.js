@@ -1,6 +1,6 @@
 // The search: reads what is typed, and lists bodies or runs of steps.
 import { element, metres } from "../theme.js";
-import { find_body_runs, find_runs, kBodyQuantities, kQuantities, parse_query } from "./search.js";
+import { find_body_runs, find_channel_runs, find_runs, kBodyQuantities, kQuantities, parse_query } from "./search.js";
 import { link } from "./panels.js";
 
 const kShown = 12;
@@ -14,7 +14,7 @@ function value_text(value, unit) {
 export function make_search(page) {
   const input = element("input", { type: "search", placeholder: "speed > 5, speed of 12 > 5, 12, wall 0", autocomplete: "off", spellcheck: false });
   input.setAttribute("aria-label", "search for steps by a condition, or for a body by id or name");
-  const said = element("output", {});
+  const said = element("output", { ariaLabel: "what the search found" });
   const list = element("ul", { className: "hits" });
   let query = { kind: "none" };
   let items = [];
@@ -29,7 +29,14 @@ export function make_search(page) {
     return rows;
   };
   const show_runs = () => {
-    const { rows, timeline_done } = page.sessions[0];
+    const { rows, timeline_done, unread } = page.sessions[0];
+    if (unread) {
+      said.value = `the timeline was not read: ${unread}`;
+      items = [];
+      list.replaceChildren();
+      page.set_hits([]);
+      return [];
+    }
     return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), kQuantities[query.quantity]?.unit ?? "", timeline_done);
   };
   /// Reads the history of a body in turn, and shows what was found so far.
@@ -64,6 +71,37 @@ export function make_search(page) {
     }
     return runs;
   };
+  /// Likewise of a channel: "heat of ball > 7" asks about a body, "pull of ball and can > 1" about a pair.
+  const show_channel_runs = async () => {
+    const asked = query;
+    const [session] = page.sessions;
+    const channel = session.rows.channel_heads.findIndex(({ name }) => name === asked.quantity);
+    const { of: whose, unit } = session.rows.channel_heads[channel];
+    const refuse = (words) => {
+      said.value = words;
+      list.replaceChildren();
+      page.set_hits([]);
+    };
+    const names = whose === "pairs" ? asked.body.split(/\s+and\s+/i) : [asked.body];
+    if (whose === "step") return refuse(`"${asked.quantity}" is a channel of the step, not of a body`);
+    if (whose === "pairs" && names.length !== 2) return refuse(`"${asked.quantity}" is a channel of pairs: ${asked.quantity} of 1 and 2 > 0`);
+    if (!session.channel_history) return refuse("this page has no channels of single bodies; a served page (tumble view without -o) has");
+    const found = names.map((name) => session.bodies.find(name));
+    for (const [i, rows] of found.entries()) {
+      if (rows.length !== 1) return refuse(rows.length === 0 ? `no body "${names[i]}"` : `${rows.length} bodies answer to "${names[i]}"; wanted one`);
+    }
+    const [a, b] = found.map(([row]) => session.bodies.id(row));
+    try {
+      const history = await session.channel_history(channel, a, b ?? 0, (more) => {
+        if (query === asked) list_runs(find_channel_runs(asked, more), unit, false);
+        return query === asked;
+      });
+      if (query === asked) list_runs(find_channel_runs(asked, history), unit, true);
+    } catch (error) {
+      if (query === asked) refuse(error.message);
+    }
+    return undefined;
+  };
   const list_runs = (runs, unit, whole) => {
     const partly = whole ? "" : " so far";
     said.value = runs.length === 0 ? `in no step${partly}` : `${runs.length} run${runs.length === 1 ? "" : "s"} of steps${partly}, the first at ${runs[0].first}`;
@@ -84,9 +122,10 @@ export function make_search(page) {
     query = parse_query(input.value, Object.keys(page.sessions[0].rows.channels));
     if (query.kind === "body") return show_bodies();
     if (query.kind === "steps") return show_runs();
-    if (query.kind === "body steps") {
+    if (query.kind === "body steps" || query.kind === "channel steps") {
       said.value = "…";
-      show_body_runs(true);
+      if (query.kind === "body steps") show_body_runs(true);
+      else show_channel_runs();
       return [];
     }
     said.value = query.kind === "wrong" ? query.words : query.kind === "step" ? `Enter goes to step ${query.step}` : "";
@@ -100,7 +139,7 @@ export function make_search(page) {
     if (event.key !== "Enter") return;
     event.preventDefault();
     if (query.kind === "step") page.player.seek(query.step);
-    else if (query.kind === "steps" || query.kind === "body steps") page.next_hit(event.shiftKey ? -1 : 1);
+    else if (query.kind === "steps" || query.kind === "body steps" || query.kind === "channel steps") page.next_hit(event.shiftKey ? -1 : 1);
     else if (query.kind === "body") {
       const [row] = run();
       if (row !== undefined) page.select(page.sessions[0].bodies.id(row));
@@ -127,6 +166,8 @@ export function make_search(page) {
         page.hit = before;
       } else if (query.kind === "body steps") {
         show_body_runs(false);
+      } else if (query.kind === "channel steps") {
+        show_channel_runs();
       }
     },
   };

@@ -43,6 +43,8 @@ class ServedSession {
     this.rows = new TimelineRows(head.channels);
     this.steps = null;
     this.timeline_done = false;
+    this.note = "";    // why the log cannot be opened now
+    this.unread = "";  // why its timeline was not read
     this.cache = new Map();
     this.cache_bytes = 0;
     this.asked = new Set();
@@ -133,6 +135,26 @@ class ServedSession {
     return history;
   }
 
+  /// The values of a channel of one body (b: 0) or pair in every step: {step, value}. channel: its index in the head's.
+  /// Read in turn; told(history) as above.
+  async channel_history(channel, a, b, told) {
+    this.channel_histories ??= new Map();
+    const key = `${channel} ${a} ${b}`;
+    const history = this.channel_histories.get(key) ?? { next: this.head.first, step: [], value: [] };
+    if (this.channel_histories.size > 16) this.channel_histories.clear();
+    this.channel_histories.set(key, history);
+    while (history.next <= this.head.last) {
+      const from = history.next;
+      const more = await ask_json("channel", { log: this.log, channel, a, b, from });
+      if (more.why_not) throw new Error(more.why_not);
+      if (history.next !== from) continue;  // another question has read on
+      for (const name of ["step", "value"]) history[name].push(...more[name]);
+      history.next = more.next;
+      if (more.next === from || !told(history)) break;
+    }
+    return history;
+  }
+
   way(id) { return ask_json("way", { log: this.log, id }); }
   body_at(step, id) { return ask_json("body", { log: this.log, step, id }); }
 
@@ -159,6 +181,10 @@ class ServedSession {
       if (more.length === 0) break;
       this.rows.begun.push(...more);
       fresh = true;
+    }
+    for (const name of ["note", "unread"]) {
+      if (news[name] !== this[name]) fresh = true;
+      this[name] = news[name];
     }
     if (news.contacts_why_not !== this.rows.begun_why_not) fresh = true;
     this.rows.begun_why_not = news.contacts_why_not;

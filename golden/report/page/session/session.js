@@ -5,6 +5,7 @@ import { Drawing } from "./drawing.js";
 import { make_header } from "./header.js";
 import { listen_keys } from "./keys.js";
 import { bound_lanes, channel_lanes, kLanes, separation_lane } from "./lanes.js";
+import { Plots } from "./plots_chosen.js";
 import { Side } from "./side.js";
 import { make_search } from "./search_box.js";
 import { open_sent } from "./sent.js";
@@ -22,20 +23,23 @@ export class SessionPage {
     for (const { rows, bodies } of this.sessions) rows.label = (id) => bodies.label(id);
     this.steps = new Steps(Math.min(...this.sessions.map(({ head }) => head.first)),
       Math.max(...this.sessions.map(({ head }) => head.last)), this.union_of_steps());
-    this.player = make_player({ steps: this.steps, dt: () => main.head.dt, show: (step) => this.show(step) });
+    this.player = make_player({ steps: this.steps, dt: () => main.head.dt, show: (step) => this.show(step),
+      played: (direction) => this.said_playing(direction) });
     this.header = make_header(this);
     this.view = element("div", { className: "view3d" });
     this.said = element("output", { className: "said" });
+    this.told = element("output", { className: "told", ariaLabel: "what has happened" });  // read aloud, not seen
     this.drawing = new Drawing(this.view, this.sessions, (id) => this.select(id));
     this.timeline = make_timeline({ rows: main.rows, range: () => this.steps, seek: (step) => this.player.seek(step),
       hues: colours, marks: () => this.marks() });
+    this.plots = this.sessions[0].channel_history ? new Plots(this) : null;
     this.search = make_search(this);
     this.side = new Side(this);
     this.toolbar = make_toolbar(this);
     this.keys = listen_keys(this);
     place.replaceChildren(this.header.place, element("div", { className: "work" },
-      element("section", { className: "shown", ariaLabel: "the state shown" }, this.toolbar.place, this.view, this.said, this.player.bar,
-        this.timeline.place),
+      element("section", { className: "shown", ariaLabel: "the state shown" }, this.toolbar.place, this.view, this.said, this.told,
+        this.player.bar, this.timeline.place),
       element("aside", { ariaLabel: "search and numbers" }, this.search.place, ...this.side.places,
         this.keys.place)));
     this.set_lanes();
@@ -76,7 +80,7 @@ export class SessionPage {
 
   set_lanes() {
     const { rows } = this.sessions[0];
-    const lanes = [...bound_lanes(this.bounds), ...kLanes, ...channel_lanes(rows)];
+    const lanes = [...(this.plots?.lanes() ?? []), ...bound_lanes(this.bounds), ...kLanes, ...channel_lanes(rows)];
     if (this.difference?.separation) lanes.unshift(separation_lane(this.difference.separation));
     this.timeline.set_lanes(lanes);
     this.timeline.draw();
@@ -103,6 +107,7 @@ export class SessionPage {
     this.header.show();
     this.side.show_inputs();
     this.search.again();
+    this.plots?.again();
     this.timeline.draw();
   }
 
@@ -197,7 +202,17 @@ export class SessionPage {
 
   refresh() { this.player.refresh(); }
 
+  /// Has a screen reader say what changed elsewhere on the page.
+  tell(words) { if (words && this.told.value !== words) this.told.value = words; }
+
+  /// Thirty states a second are not read aloud; the one where playing ends is.
+  said_playing(direction) {
+    this.said.setAttribute("aria-live", direction === 0 ? "polite" : "off");
+    this.tell(direction === 0 ? `stopped at ${this.said.value}` : direction > 0 ? "playing" : "playing backwards");
+  }
+
   select(id) {
+    if (id !== this.selected) this.tell(id === null ? "no body is chosen" : `${this.side.label(id)} is chosen`);
     this.selected = id;
     this.drawing.selected = id;
     if (id === null) this.drawing.following = false;

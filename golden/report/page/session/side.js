@@ -1,7 +1,7 @@
 // The panels beside the view, and what is asked for them: the body chosen, its contacts, where a value comes from, the
 // comparison, the inputs.
 import { element } from "../theme.js";
-import { panel, show_blame, show_body, show_contacts, show_difference } from "./panels.js";
+import { panel, say, show_blame, show_body, show_contacts, show_difference, verdict_of } from "./panels.js";
 
 export class Side {
   constructor(page) {
@@ -81,7 +81,7 @@ export class Side {
     }));
     show_body(this.body_panel.body, { id, label: session.bodies.label(id), name: row === undefined ? "" : session.bodies.name(row),
       size: row === undefined ? [0, 0, 0] : session.bodies.size(row), answers, actions,
-      asked: this.sessions[0].head.blames && this.sessions[0].blame ? (field) => this.show_blame(step, id, field) : null });
+      bodies: session.bodies, plots: session === this.sessions[0] ? this.page.plots : null, asked: this.sessions[0].head.blames && this.sessions[0].blame ? (field) => this.show_blame(step, id, field) : null });
   }
 
   /// Where a value of the body chosen comes from.
@@ -94,7 +94,10 @@ export class Side {
     fill(null);
     try {
       const account = await this.sessions[0].blame(step, id, field, back);
-      if (this.blamed === mine) fill(account);
+      if (this.blamed !== mine) return;
+      fill(account);
+      const [first] = account.answers ?? [];
+      this.page.tell(account.why_not ?? `${account.field} ${say(account.value)} comes from step ${first.step}, ${first.phase}: ${first.text}`);
     } catch (error) {
       if (this.blamed === mine) fill({ why_not: error.message });
     }
@@ -102,6 +105,7 @@ export class Side {
 
   show_difference() {
     show_difference(this.difference_panel.body, this.page.difference, (id) => this.label(id), (step) => this.page.player.seek(step), (id) => this.page.select(id));
+    this.page.tell(verdict_of(this.page.difference));
   }
 
   /// The name of a body, as the first session that knows it has it.

@@ -103,7 +103,7 @@ function draw_lane(canvas, lane, rows, x_of, colour, hue) {
 /// One session's timeline. range(): {first, last}. seek(step): called when a place is pressed. marks(): {gaps, inputs,
 /// hits, first_difference, thin_steps}. hues(): as theme.js has them.
 export function make_timeline({ rows, range, seek, marks, hues }) {
-  const place = element("div", { className: "timeline" });
+  const place = element("div", { className: "timeline", role: "group", ariaLabel: "timeline: values at the step shown" });
   const cursor = element("div", { className: "cursor" });
   const marks_canvas = canvas_of(kMarksHeight);
   const marks_words = element("span", { className: "value" });

@@ -38,7 +38,7 @@ export function make_toolbar(page) {
   }
   show();
   return {
-    place: element("div", { className: "toolbar" }, element("label", {}, "Colour by ", paint), ...toggles.map(({ made }) => made), reset),
+    place: element("div", { className: "toolbar", role: "group", ariaLabel: "what is drawn" }, element("label", {}, "Colour by ", paint), ...toggles.map(({ made }) => made), reset),
     show,
     flip: { c: () => { flip_contacts(); show(); }, w: () => { flip_ways(); show(); }, s: () => { flip_side(); show(); },
       f: () => { flip_follow(); show(); }, r: () => drawing.reset_view() },

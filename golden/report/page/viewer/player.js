@@ -58,7 +58,8 @@ export class Steps {
 }
 
 /// steps: Steps. dt(): s a step. show(step): shows it; may be called often. full: with all buttons.
-export function make_player({ steps, dt, show, label = "step shown", full = true }) {
+/// played(direction): playing has begun (1, -1) or ended (0).
+export function make_player({ steps, dt, show, label = "step shown", full = true, played = () => {} }) {
   let step = steps.first;
   let timer = null;
   let direction = 0;
@@ -80,8 +81,10 @@ export function make_player({ steps, dt, show, label = "step shown", full = true
   const stop = () => {
     clearInterval(timer);
     timer = null;
+    const played_before = direction !== 0;
     direction = 0;
     mark();
+    if (played_before) played(0);
   };
   const go = (wanted) => {
     const found = steps.at_or_before(wanted);
@@ -113,6 +116,7 @@ export function make_player({ steps, dt, show, label = "step shown", full = true
     asked = performance.now();
     timer = setInterval(tick, kFrameMs);
     mark();
+    played(way);
   };
   const forward = button("play", "play", () => play(1));
   const back = button("back", "play backwards", () => play(-1));

@@ -1,5 +1,6 @@
 // Turning, moving and zooming a stage by pointer, wheel and keys.
 const kTurn = 0.12;    // radians a key press
+const kMove = 0.05;    // heights of the picture a key press
 const kDrag = 0.008;   // radians a pixel
 const kClickPx = 4;    // a pointer that moved less has clicked
 
@@ -46,15 +47,17 @@ export function listen(canvas, stage, picked = null) {
     stage.zoom(Math.exp(event.deltaY / 800));
   }, { passive: false });
   const actions = {
-    ArrowLeft: () => stage.turn(-kTurn, 0), ArrowRight: () => stage.turn(kTurn, 0),
-    ArrowUp: () => stage.turn(0, kTurn), ArrowDown: () => stage.turn(0, -kTurn),
+    ArrowLeft: (moves) => (moves ? stage.pan(kMove, 0) : stage.turn(-kTurn, 0)),
+    ArrowRight: (moves) => (moves ? stage.pan(-kMove, 0) : stage.turn(kTurn, 0)),
+    ArrowUp: (moves) => (moves ? stage.pan(0, kMove) : stage.turn(0, kTurn)),
+    ArrowDown: (moves) => (moves ? stage.pan(0, -kMove) : stage.turn(0, -kTurn)),
     "+": () => stage.zoom(0.85), "=": () => stage.zoom(0.85), "-": () => stage.zoom(1 / 0.85),
   };
   canvas.addEventListener("keydown", (event) => {
     if (!(event.key in actions) || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    actions[event.key]();
+    actions[event.key](event.shiftKey);
   });
 }
 
