@@ -1,7 +1,10 @@
 #include "golden/report/report_place.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -10,6 +13,7 @@
 #include "golden/judge/case_series.h"
 #include "golden/run/run_case.h"
 #include "src/files/file_kind.h"
+#include "src/files/output_file.h"
 #include "src/files/output_guard.h"
 #include "tumble/golden/suite.h"
 
@@ -76,7 +80,15 @@ Status claim(files::OutputGuard& guard, const char* option, const fs::path& path
   return files::replaces_its_kind(option, path);
 }
 
-/// Asks for all places, then removes the earlier report.
+/// Now, so that a folder that cannot be written costs no run of the suite.
+Status make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return files::cannot_open(folder.string(), error.value());
+  return ::access(folder.c_str(), W_OK) == 0 ? Status() : files::cannot_open(folder.string(), errno);
+}
+
+/// Asks for all places, makes the folder, then removes the earlier report.
 Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
   if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
   for (const char* name : {kReportFile, kPage, kFindings, kBundleFile}) {
@@ -84,6 +96,7 @@ Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path
   }
   const char* option = junit.empty() ? "--report" : "--junit";
   if (Status ok = claim(guard, option, junit_file(folder, junit)); !ok.ok()) return ok;
+  if (Status ok = make_folder(folder); !ok.ok()) return ok;
   remove_earlier_report(folder, junit);
   return {};
 }

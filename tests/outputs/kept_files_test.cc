@@ -175,6 +175,14 @@ TEST_F(KeptFiles, OutputsReplaceNothingButTheirOwnKind) {
   }
 }
 
+TEST_F(KeptFiles, AReportWithoutAPlaceCostsNoRunOfTheSuite) {
+  add_case();
+  expect_refused(shop_, {{"check", "--suite", "s", "--report", "a.toml/r"}},
+                 "a.toml/r: cannot be written: Not a directory");
+  EXPECT_EQ(shop_.run({"check", "--suite", "s", "--report", "a.toml/r"}).out, "") << "no case ran";
+  EXPECT_EQ(shop_.run({"check", "--suite", "s", "--report", "/proc/r"}).exit, 2);
+}
+
 TEST_F(KeptFiles, AnOutputTakesThePlaceOfAnEarlierOne) {
   add_case();
   fs::remove(shop_.path("s/cases/one/frame_0010.png"));

@@ -35,7 +35,7 @@ void declare_arguments(Arguments& arguments, LiveArguments& target) {
       "pointer.\n"
       "Right button: turn the camera; middle button: shift it; wheel: nearer, farther. F1 shows all keys.\n"
       "The log has every input, replays bit for bit, and is complete however the window is closed.\n"
-      "Needs a display. 'tumble view LOG' shows a recorded session in a browser.\n\n"
+      "Needs a display. 'tumble view LOG -o FILE.html' shows a recorded session in a browser.\n\n"
       "Examples:\n"
       "  tumble live brick_wall\n"
       "  tumble live tilted_grid -o played.tumble --set grid.rows=10 --size 1280x720\n"

@@ -22,7 +22,7 @@ Result<Exit> run_window(const LiveArguments& arguments) {
     return cannot_finish(
         "no window, because tumble-live is not beside tumble; install the package tumble-live, or libglfw3-dev and "
         "libimgui-dev "
-        "and build again; 'tumble view LOG' shows a recorded session in a browser");
+        "and build again; 'tumble view LOG -o FILE.html' shows a recorded session in a browser");
   }
   std::vector<std::string> words = words_of(arguments);
   words.insert(words.begin(), helper);

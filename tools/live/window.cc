@@ -20,7 +20,7 @@ std::string& last_problem() {
 Error no_window(const std::string& doing) {
   const std::string& why = last_problem();
   return cannot_finish(doing + (why.empty() ? "" : " (" + printable(why) + ")") +
-                       "; 'tumble view LOG' shows a recorded session in a browser");
+                       "; 'tumble view LOG -o FILE.html' shows a recorded session in a browser");
 }
 
 }  // namespace
