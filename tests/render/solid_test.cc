@@ -61,6 +61,23 @@ TEST(Solids, RoundOnesHaveTheirVolume) {
   }
 }
 
+// So that a material is as fine on the caps as on the side.
+TEST(Solids, PlacesAlongTheAxisAreLengthsOnTheSurface) {
+  for (const Solid& solid : {render::make_cylinder(2, 0.5, 2), render::make_capsule(2, 0.5, 2)}) {
+    std::size_t compared = 0;
+    for (std::size_t k = 0; k + 2 < solid.corners.size(); k += 3) {
+      for (std::size_t i = k; i < k + 3; ++i) {
+        const render::SolidVertex &a = solid.corners[i], &b = solid.corners[i == k + 2 ? k : i + 1];
+        if (a.place[0] != b.place[0]) continue;  // not one above the other
+        const double along = std::fabs(double{a.place[1]} - double{b.place[1]});
+        EXPECT_NEAR(along, sim::length(Vec3(vector_of(a.at) - vector_of(b.at))), 1e-3) << k;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 3U * render::kSolidParts);
+  }
+}
+
 TEST(Solids, AHullLeavesOutWhatLiesInside) {
   std::vector<Vec3> points = {{0, 0, 0}, {0.5, 0.5, 0.5}, {0.1, 0.9, 0.3}};
   for (int k = 0; k < 8; ++k) points.push_back({double(k & 1), double(k / 2 & 1), double(k >> 2)});
