@@ -157,6 +157,7 @@ test("two logs: the first difference, its growth and the phases", async () => {
   const page = await open(sent("both.html"));
   const panel = panel_of(page, "Comparison");
   assert.match(await panel.textContent(), /First difference: step 20, phase inputs/);
+  assert.match(await panel.locator("ul.marks").textContent(), /more than 1e-12 m apart from step 20, .*more than 1 µm apart from/);
   assert.match(await panel.locator("table.phases").textContent(), /push_contacts/);
   await page.locator("body").press("d");
   assert.match(await said(page), /^step 20 .* m apart$/);

@@ -400,7 +400,7 @@ n,gh):gh(),n}fn.assign=on;fn.fmtNum=kh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsi
 leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function Xa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
 "change",i)}function X(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}function zn(i){if(i==null)return"\u2013";let e=Math.
 abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(4))," mm"):e>=1e-6?"".concat(Number((i*1e6).toPrecision(
-4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Po(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Pp=210,zx=[{title:"Energy",group:"energy",unit:Po,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
+4))," \xB5m"):"".concat(Number(i.toPrecision(3)).toExponential()," m")}function Po(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Pp=210,zx=[{title:"Energy",group:"energy",unit:Po,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:zn,lines:[{label:"lateral error",column:"lat\
 eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:zn,lines:[{label:"hi\
 ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Vx(i){return(i.channels??[]).map(({key:e,name:t,

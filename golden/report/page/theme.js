@@ -38,7 +38,7 @@ export function metres(value) {
   if (size === 0 || size >= 0.1) return `${Number(value.toPrecision(4))} m`;
   if (size >= 1e-3) return `${Number((value * 1e3).toPrecision(4))} mm`;
   if (size >= 1e-6) return `${Number((value * 1e6).toPrecision(4))} µm`;
-  return `${value.toExponential(2)} m`;
+  return `${Number(value.toPrecision(3)).toExponential()} m`;  // "1e-9 m", "1.23e-9 m"
 }
 
 export function joules(value) {
