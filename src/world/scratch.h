@@ -191,11 +191,10 @@ struct VisitScratch {
   double still = 0;                  ///< m/s or rad/s; smaller changes do not make a contact due again
 };
 
-/// What part_overlaps exchanges with contact_batches and solver_bodies while it solves: speeds that end overlaps within
-/// the step and then are forgotten.
+/// What part_overlaps exchanges with solver_bodies while it solves: speeds that end overlaps within the step and then
+/// are forgotten.
 struct OverlapScratch {
   bool any = false;                  ///< whether anything parts in this step; the rest is old where nothing does
-  std::vector<Lanes> impulses;       ///< N·s, by point batch; afterwards those that part
   std::vector<Vec3> velocity, spin;  ///< m/s, rad/s, by row of solver_bodies; afterwards those that part
 };
 

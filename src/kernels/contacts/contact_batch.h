@@ -31,7 +31,7 @@ struct alignas(64) Lanes {
 struct PointBatch {
   Lanes p, q, load, separation;
   Lanes impulse;
-  Lanes peak;      ///< N·s, the largest impulse of this step; 0: the point was never hit
+  Lanes peak;      ///< N·s, the largest impulse of this step; 0: the point was never hit. Sweep::kPart leaves it alone
   Lanes mass;      ///< kg, effective along the normal, with the split masses
   Lanes approach;  ///< m/s, normal velocity at the impact, to come or past; negative when closing
 };

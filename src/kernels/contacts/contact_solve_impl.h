@@ -94,7 +94,7 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V>& m, const Mo
       const V impulse = larger(zero, wanted_impulse<kSweep>(m, point, speed));
       const V change = changes[k] = impulse - m.get(point.impulse);
       m.set(point.impulse, impulse);
-      m.set(point.peak, larger(m.get(point.peak), impulse));
+      if constexpr (kSweep != Sweep::kPart) m.set(point.peak, larger(m.get(point.peak), impulse));
       sums.s += to_grid(magic, change);
       sums.sq += to_grid(magic, change * q);
       sums.sp += to_grid(magic, change * p);

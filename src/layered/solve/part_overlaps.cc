@@ -24,11 +24,11 @@ constexpr double kSweepsMost = 20;
 // them.
 int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
 
-// The overlaps are solved in the columns of the step's own impulses and motions, which wait in OverlapScratch
-// meanwhile.
+// The overlaps are solved in the columns of the step's own impulses and motions, which wait meanwhile: impulses in the
+// place of the largest one, since no point has been hit in this step yet, motions in OverlapScratch.
 enum class Exchange { kBefore, kAfter };
 
-// No point has been hit in this step yet. Before, what waits is rubbish of an earlier step, so zeros come in its place.
+// Before, what OverlapScratch holds is rubbish of an earlier step, so zeros come in its place.
 void exchange(Scratch& scratch, Exchange when) {
   OverlapScratch& own = scratch.overlaps;
   std::vector<PointBatch>& points = scratch.contact_batches.points;
@@ -36,9 +36,12 @@ void exchange(Scratch& scratch, Exchange when) {
   const bool before = when == Exchange::kBefore;
   for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      if (before) own.impulses[k] = {};
-      std::swap(points[k].impulse, own.impulses[k]);
-      points[k].peak = {};
+      Lanes &impulse = points[k].impulse, &waiting = points[k].peak;
+      if (before) {
+        waiting = std::exchange(impulse, {});
+      } else {
+        impulse = std::exchange(waiting, {});
+      }
     }
   });
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
@@ -51,7 +54,6 @@ void exchange(Scratch& scratch, Exchange when) {
 }
 
 void solve(Scratch& scratch, ContactWork work, double deepest) {
-  scratch.overlaps.impulses.resize(scratch.contact_batches.points.size());
   scratch.overlaps.velocity.resize(scratch.solver_bodies.size());
   scratch.overlaps.spin.resize(scratch.solver_bodies.size());
   exchange(scratch, Exchange::kBefore);
@@ -94,7 +96,6 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   const double deepest = find_overlaps(scratch, all_contacts(scratch, dt_s));
   own.any = deepest > 0;
   // So that the first overlap of a warm world allocates nothing.
-  own.impulses.reserve(scratch.contact_batches.points.capacity());
   own.velocity.reserve(scratch.solver_bodies.capacity());
   own.spin.reserve(scratch.solver_bodies.capacity());
   if (!own.any) return {};
