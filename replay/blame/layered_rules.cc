@@ -42,9 +42,10 @@ sim::Vec3 gain_by_impulses(const sim::ContactBatches& all, const sim::ContactBat
 }
 
 // m in one substep, by the velocities with which the bodies were moved.
-double way_of_point(const sim::ContactBatch& batch, const sim::PointBatch& point, unsigned lane,
-                    const std::vector<sim::SolverBody>& bodies, double substep_s) {
-  const sim::SolverBody &a = bodies[batch.a[lane]], &b = bodies[batch.b[lane]];
+double way_of_point(const sim::ContactBatches& all, const sim::ContactBatch& batch, const sim::PointBatch& point,
+                    unsigned lane, const std::vector<sim::SolverBody>& bodies, double substep_s) {
+  const sim::BatchSides& sides = all.sides[static_cast<std::size_t>(&batch - all.batches.data())];
+  const sim::SolverBody &a = bodies[sides.a[lane]], &b = bodies[sides.b[lane]];
   const sim::Vec3 n = lane_vector(batch.n, lane), spin = b.spin - a.spin;
   const sim::Vec3 motion = (b.velocity - a.velocity) - sim::cross(a.spin, lane_vector(batch.d, lane));
   const double w1 = sim::dot(spin, lane_vector(batch.t1, lane)), w2 = sim::dot(spin, lane_vector(batch.t2, lane));
@@ -108,7 +109,8 @@ void PhaseRules::moves_separations(std::uint32_t substep, const sim::World& worl
                   for (unsigned k = 0; k < batch.count && at < separations_.size(); ++k, ++at) {
                     const sim::PointBatch& point = scratch.contact_batches.points[batch.first + k];
                     if (k >= m.count) continue;
-                    const double way = way_of_point(batch, point, lane, scratch.solver_bodies, def.dt / def.substeps);
+                    const double way = way_of_point(scratch.contact_batches, batch, point, lane, scratch.solver_bodies,
+                                                    def.dt / def.substeps);
                     const double moved = point.separation.of[lane] - separations_[at];
                     if (!(std::fabs(moved - way) > kSpeedPart * std::fabs(way) + kSeparationOff)) continue;
                     add({.substep = substep,

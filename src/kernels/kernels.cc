@@ -54,26 +54,31 @@ template <int kWidth>
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { prepare<decltype(v)>(work, batch, at); });
 }
 template <int kWidth>
-[[gnu::flatten]] bool solve_all(const ContactWork& work, Sweep sweep) {
-  bool any_due = false;
+[[gnu::flatten]] Due solve_all(const ContactWork& work, Sweep sweep) {
+  bool any_due = false, any_settled = false;
   for (std::size_t k = 0; k < work.count; ++k) {
+    const unsigned due = due_lanes(work.visit, work.sides[k]);
+    if (due == 0 && work.leaves_old) {
+      any_settled = true;
+      continue;
+    }
     ContactBatch& batch = work.batches[k];
     PointBatch* const points = work.points + batch.first;
-    const unsigned due = due_lanes(work.visit, batch);
     const bool all_due = due == used_lanes(batch);
     KeptLanes kept;
     if (!all_due && due != 0) kept.keep(batch, points);
     if (due != 0) {
       for_packs_of<kWidth>(batch,
                            [&](auto v, ContactBatch& of, unsigned at) { solve<decltype(v)>(work, of, at, sweep); });
-      note_visit(work.visit, batch, due);
+      note_visit(work.visit, work.sides[k], due);
       any_due = true;
     }
     if (all_due) continue;
+    any_settled = true;
     if (due != 0) kept.put_back(batch, points, due);
-    clear_outcomes(work.outcomes + 2 * k * kLanes * kOutcomeDoubles, batch.used, due);
+    if (!work.leaves_old) clear_outcomes(work.outcomes + 2 * k * kLanes * kOutcomeDoubles, batch.used, due);
   }
-  return any_due;
+  return !any_due ? Due::kNone : any_settled ? Due::kSome : Due::kAll;
 }
 template <int kWidth>
 [[gnu::flatten]] void warm_start_all(const ContactWork& work) {
@@ -93,7 +98,7 @@ template <int kWidth>
 [[gnu::flatten]] double find_all_overlaps(const ContactWork& work) {
   double deepest = 0;
   for (std::size_t k = 0; k < work.count; ++k) {
-    deepest = larger(deepest, mark_overlaps<typename VectorOf<kWidth>::Type>(work, work.batches[k]));
+    deepest = larger(deepest, mark_overlaps<typename VectorOf<kWidth>::Type>(work, work.batches[k], work.sides[k]));
   }
   return deepest;
 }

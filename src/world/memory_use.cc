@@ -42,8 +42,8 @@ std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list
 std::size_t held(const ContactBatches& b) {
   std::size_t uses = held(b.uses);
   for (const std::vector<std::uint32_t>& of_worker : b.uses) uses += held(of_worker);
-  return uses + held_by(b.batches, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start, b.touched_end,
-                        b.counts, b.entries, b.outcomes);
+  return uses + held_by(b.batches, b.sides, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start,
+                        b.touched_end, b.counts, b.entries, b.outcomes);
 }
 std::size_t held(const FastContacts& f) {
   return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.merged);

@@ -88,6 +88,7 @@ struct alignas(64) Outcome {
 /// The awake manifolds in batches, layer by layer; written by prepare_manifolds.
 struct ContactBatches {
   std::vector<ContactBatch> batches;
+  std::vector<BatchSides> sides;  ///< by batch
   std::vector<PointBatch> points;
   std::vector<std::uint32_t> layer_start;                 ///< by layer, in `batches`
   std::vector<std::uint32_t> place;                       ///< by manifold: kLanes times batch plus lane

@@ -29,6 +29,7 @@ std::vector<LaneWidth> widths_here() {
 // body takes the first two, and so on.
 struct RandomContacts {
   std::vector<ContactBatch> batches;
+  std::vector<BatchSides> sides;
   std::vector<PointBatch> points;
   std::vector<Outcome> outcomes;
   std::vector<std::uint32_t> entries;
@@ -53,9 +54,8 @@ struct RandomContacts {
   // The next visit; the sweeps begin anew with `begins`. Changes of less than a twentieth move nothing.
   ContactWork next_visit(bool begins) {
     if (begins) first = ++now;
-    return {batches.data(), batches.size(),      points.data(),
-            bodies.data(),  outcomes.data()->of, entries.data(),
-            0.01,           kPushPart,           {moved.data(), ++now, first, 0.05}};
+    return {batches.data(),      sides.data(),   batches.size(), points.data(), bodies.data(),
+            outcomes.data()->of, entries.data(), 0.01,           kPushPart,     {moved.data(), ++now, first, 0.05}};
   }
 
  private:
@@ -71,8 +71,10 @@ struct RandomContacts {
 
   void add_batch(std::uint32_t used, std::size_t ground) {
     ContactBatch& batch = batches.emplace_back();
-    std::fill_n(batch.a, kLanes, static_cast<std::uint32_t>(ground));
-    std::fill_n(batch.b, kLanes, static_cast<std::uint32_t>(ground));
+    BatchSides& of = sides.emplace_back();
+    std::fill_n(of.a, kLanes, static_cast<std::uint32_t>(ground));
+    std::fill_n(of.b, kLanes, static_cast<std::uint32_t>(ground));
+    std::fill_n(of.visited + used, kLanes - used, kNeverDue);
     batch.used = used;
     batch.first = static_cast<std::uint32_t>(points.size());
     batch.count = 1 + used % 5;
@@ -82,8 +84,8 @@ struct RandomContacts {
   }
 
   void fill_lane(ContactBatch& batch, unsigned lane, std::uint32_t ground) {
-    batch.a[lane] = lane % 3 == 0 ? ground : static_cast<std::uint32_t>(number(0, ground - 1));
-    batch.b[lane] = static_cast<std::uint32_t>(number(0, ground - 1));
+    sides.back().a[lane] = lane % 3 == 0 ? ground : static_cast<std::uint32_t>(number(0, ground - 1));
+    sides.back().b[lane] = static_cast<std::uint32_t>(number(0, ground - 1));
     const unsigned count = lane % 2 == 0 ? batch.count : 1;
     batch.point_count.of[lane] = count;
     for (int k = 0; k < 3; ++k) {
@@ -120,17 +122,18 @@ bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
 void run_kernels(RandomContacts& contacts, LaneWidth width) {
   const ContactKernels& contact = kernels(width).contacts;
   const ContactWork work = contacts.next_visit(true);
-  const auto apply = [&](const ContactWork& visit) {
-    contact.apply_outcomes(visit, contacts.touched.data(), contacts.touched.size());
+  const auto apply = [&](const ContactWork& visit, Due due) {
+    contact.apply_outcomes(visit, contacts.touched.data(), contacts.touched.size(), due);
   };
   contact.prepare(work);
   contact.warm_start(work);
-  apply(work);
+  apply(work, Due::kAll);
   for (const Sweep sweep : {Sweep::kPush, Sweep::kHold, Sweep::kPart, Sweep::kRestitution}) {
     for (int k = 0; k < 4; ++k) {
       const ContactWork visit = contacts.next_visit(k == 0);
-      if (!contact.solve(visit, sweep)) break;
-      apply(visit);
+      const Due due = contact.solve(visit, sweep);
+      if (due == Due::kNone) break;
+      apply(visit, due);
     }
   }
   contact.move_on(contacts.next_visit(true));

@@ -41,18 +41,25 @@ struct BodyOutcomes {
   std::uint32_t body = 0, begin = 0, end = 0;
 };
 
-/// Up to eight manifolds of one layer, with the fields of Manifold. An unused lane holds zeros and the row of the
+/// The bodies of a batch's manifolds, and when each manifold was solved last. They lie apart from the batch: a visit
+/// asks every manifold whether it is due, and then reads only the batches of those that are.
+struct alignas(32) BatchSides {
+  std::uint32_t a[kLanes] = {}, b[kLanes] = {};  ///< rows of solver_bodies; the ground is the row after the last body
+  std::uint32_t visited[kLanes] = {};            ///< number of the visit that solved each manifold last (Visit)
+};
+/// A value of `visited` that is never due, of lanes that are not used; larger than the number of any visit.
+inline constexpr std::uint32_t kNeverDue = 0x7fffffff;
+
+/// Up to eight manifolds of one layer, with the fields of Manifold. An unused lane holds zeros; its bodies are the
 /// ground, which does not move.
 struct ContactBatch {
-  std::uint32_t a[kLanes] = {}, b[kLanes] = {};  ///< rows of solver_bodies; the ground is the row after the last body
-  std::uint32_t used = 0;                        ///< lanes from the left
-  std::uint32_t members = 0;                     ///< first of its manifolds in ContactBatches::order
-  std::uint32_t first = 0, count = 0;            ///< its points
-  bool bounces = false;                          ///< one of its points met fast enough to bounce
-  bool hard = false;                             ///< belongs to a hard island (assign_levels)
-  double bounce_min = kBounceMin;                ///< m/s; slower impacts do not bounce
-  std::uint32_t visited[kLanes] = {};            ///< number of the visit that solved each manifold last (Visit)
-  Lanes point_count;                             ///< of each manifold
+  std::uint32_t used = 0;              ///< lanes from the left
+  std::uint32_t members = 0;           ///< first of its manifolds in ContactBatches::order
+  std::uint32_t first = 0, count = 0;  ///< its points
+  bool bounces = false;                ///< one of its points met fast enough to bounce
+  bool hard = false;                   ///< belongs to a hard island (assign_levels)
+  double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
+  Lanes point_count;                   ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic
   Lanes friction, friction_dynamic, restitution;

@@ -36,7 +36,8 @@ struct Visit {
 /// manifolds are done.
 struct ContactWork {
   ContactBatch* batches = nullptr;
-  std::size_t count = 0;
+  BatchSides* sides = nullptr;  ///< of each batch
+  std::size_t count = 0;        ///< batches
   PointBatch* points = nullptr;
   double* bodies = nullptr;    ///< rows of SolverBody, kSolverBodyDoubles each
   double* outcomes = nullptr;  ///< rows of kOutcomeDoubles; lane l of batch k: 2 (k kLanes + l) for a, next for b
@@ -44,19 +45,24 @@ struct ContactWork {
   double substep_s = 0;
   double push_part = kPushPart;  ///< of an overlap, removed in that time
   Visit visit;
+  bool leaves_old = false;  ///< solve() leaves old outcomes where a manifold is not due, instead of zeros
 };
+
+/// How many of the manifolds of a layer were due.
+enum class Due : std::uint8_t { kNone, kSome, kAll };
 
 /// The arithmetic of the solver over batches of manifolds.
 struct ContactKernels {
   /// Fills the fields that stay fixed during a step: masses, responses and approaches of points, friction centres.
   void (*prepare)(const ContactWork& work);
   /// Improves the impulses of the manifolds that are due, given the velocities of `bodies`; writes the changes to
-  /// `outcomes`. False: nothing was due, and `outcomes` is old.
-  bool (*solve)(const ContactWork& work, Sweep sweep);
+  /// `outcomes`. kNone: `outcomes` is old.
+  Due (*solve)(const ContactWork& work, Sweep sweep);
   /// Writes the effect of the accumulated impulses to `outcomes`.
   void (*warm_start)(const ContactWork& work);
-  /// Adds the outcomes of each body in `of` to its velocity and spin in `bodies`, and notes which bodies move.
-  void (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count);
+  /// Adds the outcomes of each body in `of` to its velocity and spin in `bodies`, and notes which bodies move. kSome:
+  /// only those of manifolds that this visit has solved.
+  void (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due);
   /// Advances the separations by one substep with the velocities of `bodies`.
   void (*move_on)(const ContactWork& work);
   /// Computes masses and responses of hard batches anew, after their bodies have turned.

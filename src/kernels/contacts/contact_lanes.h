@@ -53,6 +53,8 @@ struct Manifolds {
   Body<V> a, b;
 
   Manifolds(const ContactWork& work, ContactBatch& of, unsigned lane)
+      : Manifolds(work, of, work.sides[&of - work.batches], lane) {}
+  Manifolds(const ContactWork& work, ContactBatch& of, const BatchSides& sides, unsigned lane)
       : batch(&of),
         points(work.points + of.first),
         at(lane),
@@ -60,8 +62,8 @@ struct Manifolds {
         t1(space(of.t1)),
         t2(space(of.t2)),
         d(space(of.d)),
-        a(gather_body<V>(work.bodies, of.a + lane)),
-        b(gather_body<V>(work.bodies, of.b + lane)) {}
+        a(gather_body<V>(work.bodies, sides.a + lane)),
+        b(gather_body<V>(work.bodies, sides.b + lane)) {}
 
   V get(const Lanes& lanes) const { return load<V>(lanes.of + at); }
   void set(Lanes& lanes, V v) const { store(lanes.of + at, v); }

@@ -10,20 +10,41 @@ namespace {
 
 inline unsigned used_lanes(const ContactBatch& batch) { return (1U << batch.used) - 1U; }
 
-// The lanes whose manifold is due, a bit each.
-inline unsigned due_lanes(const Visit& visit, const ContactBatch& batch) {
-  unsigned due = 0;
-  for (unsigned lane = 0; lane < batch.used; ++lane) {
-    const std::uint32_t last = batch.visited[lane];
-    const bool settled = last >= visit.first && visit.moved[batch.a[lane]] < last && visit.moved[batch.b[lane]] < last;
-    due |= static_cast<unsigned>(!settled) << lane;
-  }
-  return due;
+// Whether a manifold was solved since `first` and neither body has moved since. Numbers of visits, of one manifold or
+// of each lane's.
+template <class Number, class First>
+auto settled(Number last, First first, Number moved_a, Number moved_b) {
+  return (last >= first) & (moved_a < last) & (moved_b < last);
 }
 
-inline void note_visit(const Visit& visit, ContactBatch& batch, unsigned due) {
-  for (unsigned lane = 0; lane < batch.used; ++lane) {
-    if ((due >> lane & 1U) != 0) batch.visited[lane] = visit.now;
+// The lanes whose manifold is due, a bit each.
+inline unsigned due_lanes(const Visit& visit, const BatchSides& sides) {
+#ifdef __AVX2__
+  typedef std::int32_t Numbers
+      __attribute__((vector_size(4 * kLanes)));  // NOLINT(modernize-use-using): GCC wants it so
+  const auto moved_at = [&](const std::uint32_t* rows) {
+    __m256i at;
+    __builtin_memcpy(&at, rows, sizeof at);
+    return reinterpret_cast<Numbers>(_mm256_i32gather_epi32(reinterpret_cast<const int*>(visit.moved), at, 4));
+  };
+  Numbers last;
+  __builtin_memcpy(&last, sides.visited, sizeof last);
+  const Numbers rest = settled(last, static_cast<std::int32_t>(visit.first), moved_at(sides.a), moved_at(sides.b));
+  return ~static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(rest))) & 0xffU;
+#else
+  unsigned due = 0;
+  for (unsigned lane = 0; lane < kLanes; ++lane) {
+    const bool rests =
+        settled(sides.visited[lane], visit.first, visit.moved[sides.a[lane]], visit.moved[sides.b[lane]]);
+    due |= static_cast<unsigned>(!rests) << lane;
+  }
+  return due;
+#endif
+}
+
+inline void note_visit(const Visit& visit, BatchSides& sides, unsigned due) {
+  for (unsigned lane = 0; lane < kLanes; ++lane) {
+    if ((due >> lane & 1U) != 0) sides.visited[lane] = visit.now;
   }
 }
 
@@ -72,7 +93,7 @@ inline void clear_outcomes(double* rows, unsigned used, unsigned due) {
 
 // Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, or 0.
 template <class V>
-double mark_overlaps(const ContactWork& work, ContactBatch& batch) {
+double mark_overlaps(const ContactWork& work, const ContactBatch& batch, BatchSides& sides) {
   double deepest = 0;
   for (unsigned at = 0; at < kLanes; at += sizeof(V) / sizeof(double)) {
     const V slop = load<V>(batch.slop.of + at);
@@ -83,7 +104,8 @@ double mark_overlaps(const ContactWork& work, ContactBatch& batch) {
     alignas(V) double depths[sizeof(V) / sizeof(double)];
     store(depths, depth);
     for (const double& one : depths) {
-      batch.visited[at + (&one - depths)] = one > 0 ? 0 : work.visit.first;
+      const auto lane = at + static_cast<unsigned>(&one - depths);
+      if (lane < batch.used) sides.visited[lane] = one > 0 ? 0 : work.visit.first;
       deepest = larger(deepest, one);
     }
   }

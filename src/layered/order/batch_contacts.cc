@@ -41,6 +41,7 @@ class Grouping {
     all_.place.resize(manifolds.size());
     all_.order.resize(layers_.members.size());
     all_.batches.resize(batches);
+    all_.sides.resize(batches);
     all_.counts.resize(batches + 1);
     all_.outcomes.resize(std::size_t{widest} * kLanes * 2);
   }
@@ -73,7 +74,6 @@ class Grouping {
     batch.count = all_.counts[k + 1] - all_.counts[k];
     batch.hard = layer >= layers_.hard_from;
     batch.bounce_min = layers_.bounce_min;
-    std::fill_n(batch.visited, kLanes, 0U);
   }
 
  private:
@@ -111,12 +111,12 @@ class Filling {
         all_(all),
         ground_(static_cast<std::uint32_t>(bodies_.size())) {}
 
-  void fill(ContactBatch& batch) {
-    if (batch.used < kLanes) clear(batch);
+  void fill(ContactBatch& batch, BatchSides& sides) {
+    if (batch.used < kLanes) clear(batch, sides);
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       const Manifold& m = manifolds_[all_.order[batch.members + lane]];
       fill_geometry(batch, lane, m);
-      fill_bodies(batch, lane, m);
+      fill_bodies(batch, sides, lane, m);
       PointBatch* to = all_.points.data() + batch.first;
       for (const ManifoldPoint& point : points_.subspan(m.first, m.count)) fill_point(*to++, lane, point);
       for (std::uint32_t k = m.count; k < batch.count; ++k) fill_point(*to++, lane, {});
@@ -125,7 +125,7 @@ class Filling {
 
  private:
   // Zeros the batch, with the ground for bodies.
-  void clear(ContactBatch& batch) const {
+  void clear(ContactBatch& batch, BatchSides& sides) const {
     ContactBatch empty;
     empty.used = batch.used;
     empty.hard = batch.hard;
@@ -134,8 +134,9 @@ class Filling {
     empty.first = batch.first;
     empty.count = batch.count;
     batch = empty;
-    std::fill_n(batch.a, kLanes, ground_);
-    std::fill_n(batch.b, kLanes, ground_);
+    std::fill_n(sides.a, kLanes, ground_);
+    std::fill_n(sides.b, kLanes, ground_);
+    std::fill_n(sides.visited, kLanes, kNeverDue);
     std::fill_n(all_.points.begin() + batch.first, batch.count, PointBatch{});
   }
 
@@ -164,9 +165,10 @@ class Filling {
     batch.impulse.of[lane] = point.impulse;
     batch.load.of[lane] = point.load;
   }
-  void fill_bodies(ContactBatch& batch, unsigned lane, const Manifold& m) const {
-    batch.a[lane] = m.a == kGround ? ground_ : m.a;
-    batch.b[lane] = m.b;
+  void fill_bodies(ContactBatch& batch, BatchSides& sides, unsigned lane, const Manifold& m) const {
+    sides.a[lane] = m.a == kGround ? ground_ : m.a;
+    sides.b[lane] = m.b;
+    sides.visited[lane] = 0;
     const double lighter = std::min(mass_of(m.a), mass_of(m.b));
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
     const bool a_falls = m.a != kGround && bodies_.moves(m.a), b_falls = bodies_.moves(m.b);
@@ -219,7 +221,7 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
     for (auto k = static_cast<std::uint32_t>(batches.begin); k < batches.end; ++k) {
       while (k >= all.layer_start[layer + 1]) ++layer;
       grouping.begin_batch(k, layer);
-      filling.fill(all.batches[k]);
+      filling.fill(all.batches[k], all.sides[k]);
     }
     worker.meet();
     all.uses[worker.part].resize(state.bodies.size());

@@ -46,10 +46,9 @@ class Sharing {
       ContactBatch& batch = all_.batches[k];
       for (unsigned lane = 0; lane < batch.used; ++lane) {
         const std::uint32_t row = 2 * ((k - begin) * kLanes + lane);
-        if (batch.a[lane] < bodies_.size() && bodies_.moves(batch.a[lane])) {
-          visit(batch.a[lane], batch.split_a, lane, row);
-        }
-        if (bodies_.moves(batch.b[lane])) visit(batch.b[lane], batch.split_b, lane, row + 1);
+        const BodyIndex a = all_.sides[k].a[lane], b = all_.sides[k].b[lane];
+        if (a < bodies_.size() && bodies_.moves(a)) visit(a, batch.split_a, lane, row);
+        if (bodies_.moves(b)) visit(b, batch.split_b, lane, row + 1);
       }
     }
   }

@@ -51,6 +51,7 @@ void forget_impact(const ContactBatches& all, std::uint32_t place, Manifold& m, 
 
 ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
   return {all.batches.data(),
+          all.sides.data(),
           all.batches.size(),
           all.points.data(),
           reinterpret_cast<double*>(scratch.solver_bodies.data()),
@@ -58,7 +59,8 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
           all.entries.data(),
           substep_s,
           kPushPart,
-          {}};
+          {},
+          false};
 }
 
 }  // namespace
@@ -96,6 +98,7 @@ ContactWork fast_contacts(Scratch& scratch, double substep_s) {
 ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end) {
   ContactWork part = work;
   part.batches += begin;
+  part.sides += begin;
   part.count = end - begin;
   part.outcomes += begin * kLanes * 2 * kOutcomeDoubles;
   return part;
@@ -105,6 +108,7 @@ ContactWork contacts_of_layer(const Scratch& scratch, const ContactWork& all, st
   ContactWork work = all;
   const std::uint32_t begin = scratch.contact_batches.layer_start[layer];
   work.batches += begin;
+  work.sides += begin;
   work.count = scratch.contact_batches.layer_start[layer + 1] - begin;
   return work;
 }

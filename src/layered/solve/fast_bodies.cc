@@ -37,7 +37,8 @@ void slow_approaches(ContactBatches& all, const ContactBatch& batch, unsigned la
 // Calls visit(Pressing) for the contacts with an impulse.
 template <class Visit>
 void for_pressing(ContactBatches& all, Visit visit) {
-  for (const ContactBatch& batch : all.batches) {
+  for (std::size_t at = 0; at < all.batches.size(); ++at) {
+    const ContactBatch& batch = all.batches[at];
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       bool presses = false, fast = false;
       for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
@@ -48,7 +49,7 @@ void for_pressing(ContactBatches& all, Visit visit) {
       }
       const bool bounces = fast && batch.restitution.of[lane] > 0;
       if (!bounces) slow_approaches(all, batch, lane);
-      if (presses) visit(Pressing{batch.a[lane], batch.b[lane], bounces});
+      if (presses) visit(Pressing{all.sides[at].a[lane], all.sides[at].b[lane], bounces});
     }
   }
 }

@@ -36,7 +36,7 @@ class Sweeper {
   }
 
   // Solves the manifolds of a layer that are due, then adds the outcomes to the bodies. False: none was due.
-  // solve(work): whether any was.
+  // solve(work): how many were.
   template <class Solve>
   bool solve_layer(const ContactBatches& all, std::size_t layer, ContactWork work, Solve solve) {
     work.visit = {scratch_.visits.moved.data(), ++now_, first_, scratch_.visits.still};
@@ -45,21 +45,22 @@ class Sweeper {
     if (work.count == 0) return false;
     const unsigned workers = workers_for(work.count);
     if (workers == 1) {  // a tower has as many layers as bodies: each call counts
-      const bool due = worker_.first() && solve(work);
-      if (due) {
+      work.leaves_old = scratch_.layers == nullptr;
+      const Due due = worker_.first() ? solve(work) : Due::kNone;
+      if (due != Due::kNone) {
         tell_solved(all, layer);
-        contacts_.apply_outcomes(work, touched, count);
+        contacts_.apply_outcomes(work, touched, count, due);
       }
-      return worker_.meet(due);
+      return worker_.meet(due != Due::kNone);
     }
     const Worker::Share batches = worker_.share(work.count, workers), bodies = worker_.share(count, workers);
-    const bool due = batches.begin < batches.end && solve(part_of(work, batches.begin, batches.end));
+    const bool due = batches.begin < batches.end && solve(part_of(work, batches.begin, batches.end)) != Due::kNone;
     if (!worker_.meet(due)) return false;
     if (scratch_.layers != nullptr) [[unlikely]] {
       if (worker_.first()) tell_solved(all, layer);
       worker_.meet();
     }
-    contacts_.apply_outcomes(work, touched + bodies.begin, bodies.end - bodies.begin);
+    contacts_.apply_outcomes(work, touched + bodies.begin, bodies.end - bodies.begin, Due::kAll);
     worker_.meet();
     return true;
   }
@@ -113,7 +114,7 @@ void sweep_together(Scratch& scratch, Task task) {
 void warm_start_layers(Scratch& scratch, double substep_s) {
   const auto warm_start = [&](const ContactWork& work) {
     kernels(scratch.lanes).contacts.warm_start(work);
-    return true;
+    return Due::kAll;
   };
   const ContactWork all = all_contacts(scratch, substep_s);
   sweep_together(scratch, [&](Sweeper& sweeper) {
