@@ -1,5 +1,8 @@
 #include "src/kernels/kernels_by_width.h"
 
+#include <array>
+#include <cstddef>
+
 #include "src/base/check.h"
 
 namespace tumble::sim {
@@ -31,7 +34,11 @@ const Kernels* find_kernels(LaneWidth width) {
 bool runs_lanes(LaneWidth width) { return find_kernels(width) != nullptr; }
 
 const Kernels& kernels(LaneWidth width) {
-  const Kernels* found = find_kernels(width);
+  // A substep of a few bodies asks often.
+  static const std::array kFound = {find_kernels(LaneWidth::kWidest), find_kernels(LaneWidth::kOne),
+                                    find_kernels(LaneWidth::kTwo), find_kernels(LaneWidth::kFour),
+                                    find_kernels(LaneWidth::kEight)};
+  const Kernels* found = kFound[static_cast<std::size_t>(width)];
   SIM_CHECK(found != nullptr, std::string_view(name_of(width)));
   return *found;
 }

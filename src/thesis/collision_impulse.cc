@@ -88,29 +88,32 @@ Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse, const Vec3& twis
   return to_world(body.axes, turn.cwiseProduct(body.inverse_inertia));
 }
 
-Encounter encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
-                    std::size_t corners) {
-  Encounter met;
+void find_encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                    std::size_t corners, Encounter& met) {
   met.relative = point_velocity(b) - point_velocity(a);
   met.approach = dot(met.relative, normal);
-  if (met.approach >= 0) return met;
+  if (met.approach >= 0) return;
   const Vec3 gained = b.gained - a.gained;
   met.by_normal = turns_of(a, b, normal);
   met.rough = material.friction > 0 || material.friction_dynamic > 0;
+  met.pull = met.slip = 0;
+  met.slow = false;
   if (met.rough) {
     const Vec3 slip = along_plane(met.relative, normal), pull = along_plane(gained, normal), slip_old = slip - pull;
     const double slip_speed = length(slip);
     met.pull = length(pull);
     met.slow = length(slip_old) < material.slip_speed || dot(slip_old, slip) < 0;
-    if (slip_speed > kSlipMin) {
-      met.tangent = slip / slip_speed;
-      met.by_tangent = turns_of(a, b, met.tangent);
-      met.slip = slip_speed;
-    }
+    if (slip_speed > kSlipMin) met.slip = slip_speed;
+    if (met.slip > 0) met.tangent = slip / slip_speed;
+  }
+  if (met.slip > 0) {
+    met.by_tangent = turns_of(a, b, met.tangent);
+  } else {
+    met.tangent = Vec3::Zero();
+    met.by_tangent = {};
   }
   const bool on_fixed = a.inverse_mass == 0 || b.inverse_mass == 0;
   met.shared = on_fixed && corners >= 3 && met.approach >= 2 * dot(gained, normal);
-  return met;
 }
 
 Collision collide_at_point(const Response& a, const Response& b, const Vec3& normal, const PairMaterial& material,

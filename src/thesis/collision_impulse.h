@@ -21,9 +21,9 @@ struct Collision {
 };
 
 /// How two bodies meet. Reads of the masses only whether they are finite, so it holds for any parts of them
-/// (split_mass.h). normal: unit, from a to b; corners: of the patch.
-Encounter encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
-                    std::size_t corners);
+/// (split_mass.h). normal: unit, from a to b; corners: of the patch. Of bodies that part only `approach` is written.
+void find_encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                    std::size_t corners, Encounter& met);
 
 /// Equation 3.1 with friction, of bodies that meet so. patch: the corners that touch, from the collision point, or
 /// none.

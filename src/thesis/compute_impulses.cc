@@ -19,12 +19,15 @@ Response part_response(const WorldState& state, const Scratch& scratch, BodyInde
   return {parts * state.bodies.inverse_mass[i], state.bodies.inverse_inertia[i] * parts};
 }
 
-// One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
-ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& gravity_gain) {
+// One part of a body, as a collision meets it, but for r. gravity_gain: m/s in this sub-step, of a body that moves.
+void take_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& gravity_gain,
+               ContactBody& body) {
   const Bodies& bodies = state.bodies;
-  const Vec3 gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
-  return {part_response(state, scratch, i), bodies.velocity[i], bodies.spin[i],
-          scratch.frames[i].axes,           Vec3::Zero(),       gained};
+  static_cast<Response&>(body) = part_response(state, scratch, i);
+  body.velocity = bodies.velocity[i];
+  body.spin = bodies.spin[i];
+  body.axes = scratch.frames[i].axes;
+  body.gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
 }
 
 PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
@@ -144,7 +147,7 @@ class Collisions {
     material = pair_material(state_, a, b);
     take_bodies(k);
     const ContactBody& on_b = b == kGround ? on_ground_ : on_b_;
-    met = encounter(on_a_, on_b, normal, material, patch.size());
+    find_encounter(on_a_, on_b, normal, material, patch.size(), met);
     return collide(on_a_, on_b, normal, material, met, patch);
   }
 
@@ -168,11 +171,11 @@ class Collisions {
   void take_bodies(std::size_t k) {
     const Contacts& contacts = scratch_.contacts;
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    if (a != last_) on_a_ = contact_body(state_, scratch_, a, gravity_gain_);
+    if (a != last_) take_body(state_, scratch_, a, gravity_gain_, on_a_);
     last_ = a;
     on_a_.r = contacts.r_a[k];
     if (b == kGround) return;
-    on_b_ = contact_body(state_, scratch_, b, gravity_gain_);
+    take_body(state_, scratch_, b, gravity_gain_, on_b_);
     on_b_.r = contacts.r_b[k];
   }
 

@@ -163,16 +163,19 @@ std::optional<Contact> ground_contact(const BoxFrame& frame, std::vector<Vec3>* 
   return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, *point};
 }
 
+// Room for `count` contacts in the columns that are written here.
+void make_room(Contacts& contacts, std::size_t count) {
+  for (Vec3Column* column : {&contacts.normal, &contacts.r_a, &contacts.r_b}) column->resize(count);
+  contacts.depth.resize(count);
+  contacts.patch_end.resize(count);
+}
+
 }  // namespace
 
 Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   Contacts& contacts = scratch.contacts;
-  contacts.normal.clear();
-  contacts.depth.clear();
-  contacts.r_a.clear();
-  contacts.r_b.clear();
+  make_room(contacts, contacts.a.size());
   contacts.patch.clear();
-  contacts.patch_end.clear();
   std::size_t kept = 0;
   for (std::size_t k = 0; k < contacts.a.size(); ++k) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
@@ -187,17 +190,18 @@ Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
     contacts.a[kept] = a;
     contacts.b[kept] = b;
     contacts.planes[kept] = planes;
-    ++kept;
-    contacts.normal.push_back(contact->normal);
-    contacts.depth.push_back(contact->depth);
-    contacts.r_a.push_back(contact->r_a);
-    contacts.r_b.push_back(ground ? Vec3(Vec3::Zero())
+    contacts.normal.set(kept, contact->normal);
+    contacts.depth[kept] = contact->depth;
+    contacts.r_a.set(kept, contact->r_a);
+    contacts.r_b.set(kept, ground ? Vec3(Vec3::Zero())
                                   : Vec3(contact->r_a - (scratch.frames[b].position - frame.position)));
-    contacts.patch_end.push_back(static_cast<std::uint32_t>(contacts.patch.size()));
+    contacts.patch_end[kept] = static_cast<std::uint32_t>(contacts.patch.size());
+    ++kept;
   }
   contacts.a.resize(kept);
   contacts.b.resize(kept);
   contacts.planes.resize(kept);
+  make_room(contacts, kept);
   return {};
 }
 

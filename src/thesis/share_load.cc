@@ -78,15 +78,15 @@ class Tilting {
 
 }  // namespace
 
-std::optional<SharedLoad> share_load(const Touch& touch, Meeting m) {
+std::optional<SharedLoad> share_load(const Touch& touch, const Meeting& meeting) {
   const bool of_a = touch.a.inverse_mass != 0;  // the other body is immovable
   const ContactBody& body = of_a ? touch.a : touch.b;
   const auto own = [&](const Turns& turns) -> const Vec3& { return of_a ? turns.a : turns.b; };
   const Vec3& normal = touch.normal;
   const Vec3 spin = touch.b.spin - touch.a.spin;
   Vec3 tangent = touch.met.tangent;
-  if (m.slip == 0) {
-    const Impulses found = impulses_of(m, touch.material);
+  if (meeting.slip == 0) {
+    const Impulses found = impulses_of(meeting, touch.material);
     const Vec3 turning = own(touch.met.by_normal).cwiseProduct(body.inverse_inertia);
     const Vec3 given = to_world(body.axes, turning) * found.normal;
     const Vec3 tilt = along_plane(spin + given, normal);
@@ -94,6 +94,7 @@ std::optional<SharedLoad> share_load(const Touch& touch, Meeting m) {
     if (speed <= kSlipMin) return SharedLoad{Vec3::Zero(), found};
     tangent = cross(tilt, normal) / speed;
   }
+  Meeting m = meeting;
   const Tilting tilting(body, normal, tangent, own(m.normals));
   const InPlane by_normal = tilting.given_by(own(touch.met.by_normal));
   const InPlane end = tilting.ended_by(tilting.part_of(spin)), end_normal = tilting.ended_by(by_normal);

@@ -24,6 +24,6 @@ struct Touch {
 
 /// The collision of bodies of which one rests on the other with three corners or more: the corners share the load so
 /// that friction and pressure together leave no tilting. None where the pressure would have to act beyond the patch.
-std::optional<SharedLoad> share_load(const Touch& touch, Meeting meeting);
+std::optional<SharedLoad> share_load(const Touch& touch, const Meeting& meeting);
 
 }  // namespace tumble::sim

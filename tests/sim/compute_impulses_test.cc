@@ -29,7 +29,9 @@ ContactBody point_mass(double mass, const Vec3& velocity) {
 
 sim::Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
                        const std::vector<Vec3>& patch) {
-  return sim::collide(a, b, normal, material, sim::encounter(a, b, normal, material, patch.size()), patch);
+  sim::Encounter met;
+  sim::find_encounter(a, b, normal, material, patch.size(), met);
+  return sim::collide(a, b, normal, material, met, patch);
 }
 
 // Of a collision at one point.
