@@ -109,12 +109,10 @@ struct LevelScratch {
 struct WeightScratch {
   /// A manifold through which one body rests on another.
   struct Support {
+    double load = 0;  ///< kg
     std::uint32_t manifold = 0;
     BodyIndex upper = 0, lower = 0;
-    Vec3 origin;      ///< m, from the upper body's centre to where p, q and offset are measured from
-    double pull = 0;  ///< m/s², gravity along the normal
     std::uint32_t first_point = 0, end_point = 0;  ///< in `points`, while the upper body is treated
-    double load = 0;                               ///< kg
     bool bears = false;                            ///< has a point that touches and does not part
     bool starts = false;                           ///< is new and rests, so it wants first impulses
   };
@@ -142,7 +140,6 @@ struct WeightScratch {
   std::vector<std::uint8_t> stands;       ///< by body: its weight, all that it bears and blows press between its points
   std::vector<std::uint8_t> held;         ///< by body: stands, on ground or on bodies that are held
   std::vector<std::uint8_t> settled;      ///< by body: is held, and so is all that bears weight above
-  std::vector<Vec3> upward;               ///< kg, by body, sum of its supports' normals times their loads
   std::vector<double> offered;            ///< kg, by body, the largest mass above
   std::vector<double> borne;              ///< kg, by body, everything that rests on the body
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it

@@ -52,7 +52,7 @@ class Walk {
     clear(worker.share(bodies_.size()));
     if (worker.first()) own_.meets.resize(scratch_.layered.size());
     worker.meet();
-    find_supports(bodies_, gravity_, scratch_, worker);
+    find_supports(bodies_, scratch_, worker);
     find_blows(bodies_, gravity_, scratch_, worker);
     const Worker::Share share = worker.share(bodies_.size());
     for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
@@ -109,7 +109,7 @@ class Walk {
     for (std::vector<double>* column : {&own_.borne, &own_.moment_x, &own_.moment_y}) fill(*column, 0);
     for (std::vector<std::uint8_t>* column : {&own_.stands, &own_.held, &own_.settled, &own_.struck}) fill(*column, 0);
     fill(own_.first_blow, WeightScratch::kNoBlow);
-    fill(own_.upward, Vec3(Vec3::Zero()));
+    fill(upward_of(scratch_), Vec3(Vec3::Zero()));
     fill(scratch_.lent_along, Vec3(Vec3::Zero()));
     for (std::size_t i = share.begin; i < share.end; ++i) {
       own_.offered[i] = scratch_.solver_mass[i] = bodies_.mass[i];
@@ -144,9 +144,10 @@ class Walk {
       const Manifold& m = scratch_.manifolds[s.manifold];
       s.first_point = static_cast<std::uint32_t>(found.size());
       const Parting parting = parting_of(bodies_, m);
+      const Vec3 origin = i == m.b ? Vec3(Vec3::Zero()) : m.d;  // of p, q and offset, from the upper body's centre
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing || parting.at(p) > kRestingSpeed) continue;
-        const Vec3 r = seen(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
+        const Vec3 r = seen(origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
         found.push_back({&p, r.x(), r.y()});
       }
       s.end_point = static_cast<std::uint32_t>(found.size());
@@ -192,6 +193,8 @@ class Walk {
     const Vec3 v = velocity_across(bodies_, m), w = spin_of(bodies_, m.b) - spin_of(bodies_, m.a);
     return {dot(v, m.t1) + dot(w, m.t2) * m.offset, dot(v, m.t2) - dot(w, m.t1) * m.offset};
   }
+  // m/s², gravity along the normal.
+  double pull_of(const Manifold& m) const { return std::fabs(pull_along(gravity_, m)); }
   static bool slow(double x, double y) { return x * x + y * y <= kRestingSpeed * kRestingSpeed; }
 
   // A new contact starts from its load, kg. Friction starts from what holds the load on a slope or, where the bodies
@@ -206,7 +209,7 @@ class Walk {
       m.force2 = up * dot(gravity_, m.t2);
     } else {
       const double speed = std::sqrt(slip1 * slip1 + slip2 * slip2);
-      const double against = -(s.load * s.pull) * (m.friction_dynamic * substep_) / speed;
+      const double against = -(s.load * pull_of(m)) * (m.friction_dynamic * substep_) / speed;
       m.force1 = against * slip1;
       m.force2 = against * slip2;
     }
@@ -219,12 +222,13 @@ class Walk {
     s.starts = is_new(m) && rests(m);
     s.load = 0;
     const bool passes_on = s.lower != kGround;
+    const double pull = pull_of(m);
     const Vec3 apart = passes_on ? seen(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
     double moment_x = 0, moment_y = 0;
     for (const SupportPoint& point : points.subspan(s.first_point, s.end_point - s.first_point)) {
       const double load = point.load * scale;
       s.load += rounded(load);
-      point.point->load = load * s.pull * substep_;
+      point.point->load = load * pull * substep_;
       if (!passes_on) continue;
       moment_x += rounded(load * lever(point.x + apart.x()));
       moment_y += rounded(load * lever(point.y + apart.y()));
@@ -235,7 +239,7 @@ class Walk {
       worker.add(own_.moment_y[s.lower], moment_y);
     }
     const double up = s.upper == m.b ? s.load : -s.load;
-    own_.upward[s.upper] += Vec3(rounded(up * m.n.x()), rounded(up * m.n.y()), rounded(up * m.n.z()));
+    upward_of(scratch_)[s.upper] += Vec3(rounded(up * m.n.x()), rounded(up * m.n.y()), rounded(up * m.n.z()));
   }
 
   const Bodies& bodies_;
@@ -254,7 +258,7 @@ void make_room(Scratch& scratch, std::size_t bodies, unsigned workers) {
     column->resize(bodies);
   }
   for (auto* column : {&own.stands, &own.held, &own.settled, &own.struck}) column->resize(bodies);
-  for (auto* column : {&own.upward, &scratch.lent_along}) column->resize(bodies);
+  for (auto* column : {&upward_of(scratch), &scratch.lent_along}) column->resize(bodies);
   own.waiting_for.resize(bodies);
   own.first_blow.resize(bodies);
   own.start.resize(bodies + 1);

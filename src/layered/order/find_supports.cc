@@ -1,13 +1,11 @@
 #include "src/layered/order/find_supports.h"
 
-#include <cmath>
-
 #include "src/layered/order/contact_graph.h"
 #include "src/layered/order/contact_motion.h"
 
 namespace tumble::sim {
 
-void find_supports(const Bodies& bodies, const Vec3& gravity, Scratch& scratch, const Worker& worker) {
+void find_supports(const Bodies& bodies, Scratch& scratch, const Worker& worker) {
   WeightScratch& own = scratch.weights;
   const ContactGraph& graph = scratch.graph;
   const std::size_t n = bodies.size();
@@ -38,10 +36,7 @@ void find_supports(const Bodies& bodies, const Vec3& gravity, Scratch& scratch, 
     if (!bodies.moves(i)) continue;
     WeightScratch::Support* next = own.supports.data() + own.start[i];
     for_side(i, 1, [&](const ContactEnd& end) {
-      const Manifold& m = scratch.manifolds[end.manifold];
-      const BodyIndex lower = moves(bodies, end.other) ? end.other : kGround;
-      const Vec3 origin = end.is_b ? Vec3(Vec3::Zero()) : m.d;
-      *next++ = {end.manifold, i, lower, origin, std::fabs(pull_along(gravity, m))};
+      *next++ = {0, end.manifold, i, moves(bodies, end.other) ? end.other : kGround};
     });
   }
   worker.meet();

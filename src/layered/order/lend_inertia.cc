@@ -93,7 +93,7 @@ void lend_inertia(const WorldState& state, Scratch& scratch, const Waves& waves)
   const Bodies& bodies = state.bodies;
   WeightScratch& own = scratch.weights;
   waves.for_all([&](BodyIndex i) {
-    const Vec3 upward = own.upward[i];
+    const Vec3 upward = upward_of(scratch)[i];
     if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) return;
     const Vec3 along = upward / length(upward);
     if (!moves_little(bodies, i, along)) return;

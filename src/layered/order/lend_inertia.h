@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "src/layered/order/waves.h"
 #include "src/world/scratch.h"
@@ -11,6 +12,10 @@ namespace tumble::sim {
 /// Whether a weight that presses at (x, y) does so between the points: within their convex hull or on its edge. No
 /// order of points and no image of the scene shows. m
 bool press_between(std::span<const WeightScratch::SupportPoint> points, double x, double y);
+
+/// kg, by body, the sum of its supports' normals times their loads. part_overlaps, which comes later in a step, writes
+/// its speeds to the same memory.
+inline std::vector<Vec3>& upward_of(Scratch& scratch) { return scratch.overlaps.velocity; }
 
 /// Finds the bodies that are *held*: their weight and all that they bear press between points that touch ground, a body
 /// that does not move, or a body that is held; nothing that falls or topples is. Among these, finds those that are
