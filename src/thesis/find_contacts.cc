@@ -193,8 +193,8 @@ Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
     contacts.normal.set(kept, contact->normal);
     contacts.depth[kept] = contact->depth;
     contacts.r_a.set(kept, contact->r_a);
-    contacts.r_b.set(kept, ground ? Vec3(Vec3::Zero())
-                                  : Vec3(contact->r_a - (scratch.frames[b].position - frame.position)));
+    contacts.r_b.set(kept,
+                     ground ? Vec3(Vec3::Zero()) : Vec3(contact->r_a - (scratch.frames[b].position - frame.position)));
     contacts.patch_end[kept] = static_cast<std::uint32_t>(contacts.patch.size());
     ++kept;
   }
