@@ -13,6 +13,7 @@ struct Declared {
   start @3 :Extras;             # of the state that the log begins with, as of one step
   velocityDerived @4 :Bool;     # computed from positions by the import, not by the engine
   spinDerived @5 :Bool;         # likewise from orientations
+  cutShort @6 :Text;            # for people: why steps may be missing behind the last one; empty: the recorder was closed
 }
 
 # A named value of an engine, of every step in which the engine gives it.

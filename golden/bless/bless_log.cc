@@ -90,9 +90,7 @@ Status must_be_the_same(replay::LogReader& recorded, replay::LogReader& again, c
   Result<replay::DiffReport> diff = replay::diff_logs(recorded, again);
   if (!diff.ok()) return diff.error();
   if (diff->identical() && diff->from == 0) return {};
-  const std::string where = diff->first
-                                ? replay::describe(*diff->first)
-                                : std::to_string(diff->last_a) + " and " + std::to_string(diff->last_b) + " steps";
+  const std::string where = diff->first ? replay::describe(*diff->first) : diff->unequal("the session", "this build's");
   return bad_input(path + ": this build does not reproduce the session from its scene: " + where +
                    "; record it with this build first");
 }

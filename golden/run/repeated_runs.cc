@@ -64,8 +64,9 @@ Status RepeatedRuns::compare(replay::LogReader& again) {
   }
   if (report->identical()) return {};
   if (difference_.empty()) {
-    difference_ = "run " + std::to_string(runs_) + " differs from run 1: " +
-                  (report->first ? replay::describe(*report->first) : "another number of steps");
+    difference_ =
+        "run " + std::to_string(runs_) + " differs from run 1: " +
+        (report->first ? replay::describe(*report->first) : report->unequal("run 1", "run " + std::to_string(runs_)));
   }
   if (!report->first) return {};
   replay::StateSource a(first_), b(again);

@@ -99,6 +99,7 @@ void encode_declared(const Declared& declared, std::uint64_t first_state, schema
   const std::array<const Extras*, 1> start = {&declared.start};
   if (!declared.start.empty()) encode(start, first_state, types, out.initStart());
   out.setVelocityDerived(declared.velocity_derived);
+  if (!declared.cut_short.empty()) out.setCutShort(declared.cut_short);
   out.setSpinDerived(declared.spin_derived);
 }
 
@@ -133,6 +134,7 @@ Result<Declared> decode_declared(schema::Declared::Reader in, std::uint64_t firs
     }
   }
   declared.velocity_derived = in.getVelocityDerived();
+  declared.cut_short = in.getCutShort().cStr();
   declared.spin_derived = in.getSpinDerived();
   if (Status ok = check_declared(declared); !ok.ok()) return damaged(ok.error().message);
   return declared;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "replay/diff/channel_difference.h"
+#include "replay/diff/only_in_one.h"
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
@@ -27,6 +28,7 @@ class Diff {
     imported_ = a.header().engine || b.header().engine;
     channels_ = match_channels(a.header(), b.header(), tolerances, states_only_);
     derived_ = derived_values(a.header(), b.header());
+    if (!states_only_) report_.only_in = only_in_one(a.header(), b.header());
   }
 
   Result<DiffReport> run(const Progress& progress) {
@@ -280,13 +282,6 @@ class Diff {
 };
 
 }  // namespace
-
-std::string DiffReport::though() const {
-  const auto acting = std::ranges::count_if(headers, &HeaderDifference::acts);
-  if (first || acting == 0) return "";
-  return "though the headers differ in " + count_text(static_cast<std::uint64_t>(acting), "value") +
-         " that a step depends on: see the header lines";
-}
 
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress,
                              Reading reading, std::uint64_t until) {

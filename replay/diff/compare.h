@@ -24,11 +24,22 @@ enum class Reading : std::uint8_t {
 /// A comparison that ends before the logs do.
 inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 
+/// Data that one of two logs of one engine has in its header and the other lacks: "channel knee", "phase hashes of
+/// solve". Nothing compared it.
+struct OnlyInOne {
+  std::vector<std::string> a;  ///< of the first log
+  std::vector<std::string> b;  ///< of the second
+  [[nodiscard]] bool empty() const { return a.empty() && b.empty(); }
+  /// "only before.tumble has channel knee"; empty where nothing is missing.
+  [[nodiscard]] std::string text(const std::string& name_a, const std::string& name_b) const;
+};
+
 struct DiffReport {
   std::uint64_t from = 0;                 ///< the first state that both logs have
   std::uint64_t steps = 0;                ///< after it, that both logs hold; compared, or equal by their chains
   std::optional<Divergence> first;        ///< none: all those steps are equal
   std::optional<Divergence> built;        ///< of worlds that differ although the scenes do not: the first property
+  OnlyInOne only_in;                      ///< compared by nothing; the two are not identical
   std::vector<HeaderDifference> headers;  ///< differences of the headers; they decide nothing
   std::uint64_t zeros = 0;  ///< of states of another engine, whose sign alone differs; they count as equal
   ComparisonScope scope;
@@ -37,8 +48,13 @@ struct DiffReport {
   std::uint64_t last_b = 0;
   /// A sentence on equal steps of logs whose headers differ in values that a step depends on; empty without such.
   [[nodiscard]] std::string though() const;
-  /// No difference in any step, and the same last step.
-  [[nodiscard]] bool identical() const { return !first.has_value() && last_a == last_b; }
+  /// No difference in any step, the same last step, and no data that one log lacks.
+  [[nodiscard]] bool identical() const { return !first.has_value() && last_a == last_b && only_in.empty(); }
+  /// Whether the second, a session computed again, has all that the first one holds; it may hold more channels.
+  [[nodiscard]] bool computed_again() const { return !first.has_value() && last_a == last_b && only_in.a.empty(); }
+  /// Where steps are equal, though the sessions are not: "another number of steps, 40 and 30", "only the first has
+  /// channel knee". Otherwise empty.
+  [[nodiscard]] std::string unequal(const std::string& name_a, const std::string& name_b) const;
 };
 
 /// Compares two logs: the first state that both have, then every step, then the hidden parts of the keyframes that both

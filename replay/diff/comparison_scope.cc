@@ -244,7 +244,9 @@ ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerance
 
 std::string not_whole(const LogReader& log) {
   const LogCondition& condition = log.condition();
-  return condition.whole() ? "" : log.name() + " is not whole: " + condition.summary(log.last_step());
+  if (!condition.whole()) return log.name() + " is not whole: " + condition.summary(log.last_step());
+  const std::string& cut_short = log.header().declared.cut_short;
+  return cut_short.empty() ? "" : log.name() + ": its session may have gone on: " + cut_short;
 }
 
 std::string not_intact(const LogReader& log) {

@@ -64,7 +64,8 @@ void add_phase_hashes(const LogReader& a, const LogReader& b, const StepRange& r
 
 ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts);
 
-/// "torn.tumble is not whole: torn: complete up to byte 59321, …"; empty for a whole log.
+/// "torn.tumble is not whole: torn: complete up to byte 59321, …", or that its recorder was stopped; empty for a whole
+/// log of a session that came to its end.
 std::string not_whole(const LogReader& log);
 
 /// The bytes of a log that no intact record holds, which nothing compares; empty for a sound log.

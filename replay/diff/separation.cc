@@ -75,8 +75,10 @@ class SeparationMeter {
     for (const auto count : counts) {
       if (in_a.counters.*count != in_b.counters.*count) note(separation_.contacts_from);
     }
-    for (const sim::StepCounters& counters : {in_a.counters, in_b.counters}) {
-      separation_.had_contacts = separation_.had_contacts || counters.pairs > 0 || counters.contacts > 0;
+    if (in_a.extras.contacts.size() != in_b.extras.contacts.size()) note(separation_.contacts_from);
+    for (const StepRecord* record : {&in_a, &in_b}) {
+      const bool had_any = record->counters.pairs > 0 || record->counters.contacts > 0;
+      separation_.had_contacts = separation_.had_contacts || had_any || !record->extras.contacts.empty();
     }
     compare(in_a.states, in_b.states);
     // States and hashes are stored apart, so a log can lie in one of them. Equal states need equal hashes, and the

@@ -148,7 +148,8 @@ Status check_extras(const Extras& extras) {
 }
 
 bool Declared::empty() const {
-  return channels.empty() && shapes.empty() && bodies.empty() && start.empty() && !velocity_derived && !spin_derived;
+  return channels.empty() && shapes.empty() && bodies.empty() && start.empty() && !velocity_derived && !spin_derived &&
+         cut_short.empty();
 }
 
 std::size_t Declared::find(const std::string& name) const {

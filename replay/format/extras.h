@@ -92,6 +92,7 @@ struct Declared {
   Extras start;                   ///< values and contacts of the state that the log begins with
   bool velocity_derived = false;  ///< from positions by the import: left out of exact comparisons
   bool spin_derived = false;      ///< likewise from orientations
+  std::string cut_short;  ///< for people: the reason why the session may have had more steps; empty: it was closed
   [[nodiscard]] bool empty() const;
   /// The index of a channel; channels.size() if there is none of this name.
   [[nodiscard]] std::size_t find(const std::string& name) const;

@@ -55,7 +55,7 @@ struct EngineState {
 ///
 /// Give every moving body a state in every step: a body that is neither static nor frozen and has no state is an error.
 /// Static and frozen bodies keep their last state. The log holds the states of all steps. After an error, make no
-/// further call; the steps written before can be read. Not for use by two threads at once.
+/// further call but drop_step() and finish(); the steps written before can be read. Not for use by two threads at once.
 class EngineLog {
  public:
   ~EngineLog();

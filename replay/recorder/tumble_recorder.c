@@ -9,6 +9,7 @@
 
 #include "tumble_recorder.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -19,6 +20,7 @@
 #endif
 #ifdef HAS_TAIL
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -240,6 +242,7 @@ struct TumbleRec {
   TumbleRecStatus status;
   char message[512];
   FILE* file;
+  long process; /* that writes to file */
   int finished, in_step, after_state, started;
   Bytes frame;  /* room for its head, then the payload of the coming step */
   size_t group; /* where the open group record begins; 0: none */
@@ -473,6 +476,18 @@ static int append(TumbleRec* rec, Bytes* to, const unsigned char* at, size_t siz
   return 1;
 }
 
+/* A child of fork() shares file and tail with the process that records: what it wrote there would be in the middle of
+ * the other's steps. */
+static int is_of_this_process(TumbleRec* rec) {
+#ifdef HAS_TAIL
+  if (rec->file == NULL || getpid() == (pid_t)rec->process) return 1;
+  fail(rec, TUMBLE_REC_BAD_CALL, "found a call of a process that fork() made, wanted one of the process that records");
+  return 0;
+#else
+  return rec != NULL;
+#endif
+}
+
 /* A frame that is complete, to where the stream goes. */
 static int give_away(TumbleRec* rec, const unsigned char* at, size_t size) {
   if (rec->def.write != NULL && rec->def.write(rec->def.write_user, at, size) != 0) {
@@ -494,6 +509,7 @@ static int remove_tail(TumbleRec* rec, const char* path) {
   unsigned char magic[kMagicBytes];
   FILE* file;
   int is_ours;
+  free(rec->tail.path);
   rec->tail.path = tail_path_of(path);
   if (rec->tail.path == NULL) return fail(rec, TUMBLE_REC_NO_MEMORY, "found no memory for a path"), 0;
   file = fopen(rec->tail.path, "rb");
@@ -575,12 +591,12 @@ static int write_to_tail(TumbleRec* rec, const unsigned char* frame, size_t size
 
 static void close_tail(TumbleRec* rec) {
   if (rec->tail.at == NULL) return;
-  if (rec->tail.size == kTailHeadBytes) unlink(rec->tail.path); /* else it holds what the disk did not take */
+  if (rec->tail.size == kTailHeadBytes && is_of_this_process(rec))
+    unlink(rec->tail.path); /* else it holds what the disk did not take */
   munmap(rec->tail.at, kTailBytes);
   rec->tail.at = NULL;
 }
 #else
-static int remove_tail(TumbleRec* rec, const char* path) { return rec != NULL && path != NULL; }
 static void open_tail(TumbleRec* rec, const char* path) { (void)rec, (void)path; }
 static int flush_tail(TumbleRec* rec) { return rec != NULL; }
 static int write_to_tail(TumbleRec* rec, const unsigned char* at, size_t size) { return give_away(rec, at, size); }
@@ -589,6 +605,7 @@ static void close_tail(TumbleRec* rec) { (void)rec; }
 
 static int flush(TumbleRec* rec) {
   const size_t size = rec->pending.size;
+  if (!is_of_this_process(rec)) return 0;
   rec->pending.size = 0;
   rec->pending_steps = 0;
   if (rec->tail.at != NULL) return flush_tail(rec);
@@ -598,6 +615,7 @@ static int flush(TumbleRec* rec) {
 /* Frames that wait for one another are given away together. */
 static int write_bytes(TumbleRec* rec, const unsigned char* at, size_t size, int is_step) {
   if (rec->def.ring_s > 0) return append(rec, &rec->ring[rec->ring_count - 1].bytes, at, size);
+  if (!is_of_this_process(rec)) return 0;
   if (rec->tail.at != NULL) return write_to_tail(rec, at, size);
   if (rec->def.steps_a_write <= 1) return give_away(rec, at, size);
   if (rec->pending.size > 0 && rec->pending.size + size > kPendingMax && !flush(rec)) return 0;
@@ -1255,21 +1273,54 @@ static Body* living(TumbleRec* rec, uint64_t id, const char* what) {
 
 /* ---- Beginning and end. ---- */
 
+static FILE* refuse(TumbleRec* rec, FILE* file, const char* text, const char* path) {
+  fail(rec, TUMBLE_REC_BAD_CALL, text, path);
+  if (file != NULL) fclose(file);
+  return NULL;
+}
+
+/* A file is locked as long as it is written: a second recorder would truncate it and write between the first one's
+ * steps. What is no file, as a pipe or a device, is written as it is. */
 static FILE* open_for_writing(TumbleRec* rec, const char* path) {
+  static const char kNoStream[] = "%s: found a file that is no stream, which is not overwritten; wanted another name";
+  static const char kCannot[] = "%s: cannot be written: %s";
   unsigned char magic[kMagicBytes];
+  size_t size;
+#ifdef HAS_TAIL
+  struct stat found;
+  const int is_there = stat(path, &found) == 0;
+  const int handle = is_there && !S_ISREG(found.st_mode) ? open(path, O_WRONLY | O_CLOEXEC)
+                                                         : open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  FILE* file = handle < 0 ? NULL : fdopen(handle, is_there && !S_ISREG(found.st_mode) ? "w" : "r+");
+  if (file == NULL) {
+    if (handle >= 0) close(handle);
+    return fail(rec, TUMBLE_REC_CANNOT_WRITE, kCannot, path, strerror(errno)), NULL;
+  }
+  setvbuf(file, NULL, _IONBF, 0); /* a frame is one write to the system */
+  rec->process = (long)getpid();
+  if (is_there && !S_ISREG(found.st_mode)) return file;
+  if (flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return refuse(rec, file, "%s: found that another recorder writes it now, wanted another name", path);
+  size = fread(magic, 1, kMagicBytes, file);
+  if (size != 0 && (size != kMagicBytes || memcmp(magic, kMagic, kMagicBytes) != 0))
+    return refuse(rec, file, kNoStream, path);
+  rewind(file);
+  if (!remove_tail(rec, path) || ftruncate(handle, 0) != 0) {
+    fail(rec, TUMBLE_REC_CANNOT_WRITE, kCannot, path, strerror(errno));
+    return fclose(file), NULL;
+  }
+#else
   FILE* file = fopen(path, "rb");
   if (file != NULL) {
-    const size_t size = fread(magic, 1, kMagicBytes, file);
+    size = fread(magic, 1, kMagicBytes, file);
     fclose(file);
-    if (size != 0 && (size != kMagicBytes || memcmp(magic, kMagic, kMagicBytes) != 0)) {
-      fail(rec, TUMBLE_REC_BAD_CALL,
-           "%s: found a file that is no stream, which is not overwritten; wanted another name", path);
-      return NULL;
-    }
+    if (size != 0 && (size != kMagicBytes || memcmp(magic, kMagic, kMagicBytes) != 0))
+      return refuse(rec, NULL, kNoStream, path);
   }
   file = fopen(path, "wb");
-  if (file == NULL) fail(rec, TUMBLE_REC_CANNOT_WRITE, "%s: cannot be created; does the folder exist?", path);
-  if (file != NULL) setvbuf(file, NULL, _IONBF, 0); /* a frame is one write to the system */
+  if (file == NULL) return fail(rec, TUMBLE_REC_CANNOT_WRITE, kCannot, path, strerror(errno)), NULL;
+  setvbuf(file, NULL, _IONBF, 0);
+#endif
   return file;
 }
 
@@ -1383,8 +1434,7 @@ TumbleRec* tumble_rec_create(const TumbleRecDef* def) {
   if (!check_def(rec, def) || !take_phases(rec, def->phases) || !make_header(rec, def)) return rec;
   if (def->verify != NULL && !open_verify(rec, def->verify)) return rec;
   rec->full = def->hashes_only || rec->verify.by_hash;
-  if (def->path != NULL && (!remove_tail(rec, def->path) || (rec->file = open_for_writing(rec, def->path)) == NULL))
-    return rec;
+  if (def->path != NULL && (rec->file = open_for_writing(rec, def->path)) == NULL) return rec;
   memcpy(prelude, kMagic, kMagicBytes);
   put32(put32(prelude + kMagicBytes, kMajor), kMinor);
   rec->frames = 1;
@@ -1663,8 +1713,8 @@ TumbleRecStatus tumble_rec_step_begin(TumbleRec* rec, double dt_s) {
   if (!enter(rec, &status)) return status;
   if (rec->in_step)
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found step_begin twice, wanted step_end between"));
-  if (!(dt_s > 0 && dt_s <= 1e6))
-    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a dt of %g s, wanted a number above 0", dt_s));
+  if (!(dt_s >= 1e-7 && dt_s <= 1)) /* what a log can hold */
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a dt of %g s, wanted 1e-07 to 1 s", dt_s));
   if (!rec->started) {
     start = end_frame(rec, kStart);
     rec->started = 1;

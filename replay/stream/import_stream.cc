@@ -52,7 +52,13 @@ class StreamImporter {
       return bad_input(place(stream_, stream_.steps().front()) + ": the start: " + log.error().message);
     }
     for (std::size_t k = 1; k < stream_.steps().size(); ++k) {
-      if (Status ok = write_step(**log, stream_.steps()[k]); !ok.ok()) return ok.error();
+      if (Status ok = write_step(**log, stream_.steps()[k]); !ok.ok()) {
+        const std::uint64_t last = stream_.steps()[k - 1].step;
+        (*log)->drop_step();
+        return (*log)->finish().ok() && ok.error().kind == ErrorKind::kBadInput
+                   ? bad_input(ok.error().message + "; the log holds the steps before, up to " + std::to_string(last))
+                   : ok.error();
+      }
       if (progress_ && !progress_(k, stream_.steps().size() - 1)) {
         return cannot_finish(stream_.name() + ": stopped before its last step");
       }
@@ -88,6 +94,7 @@ class StreamImporter {
     if (!begun.ok()) return begun.error();
     def.declared.start.snapshots = *std::move(begun);
     describe_start(start, def.declared);
+    def.declared.cut_short = cut_short();
     return def;
   }
 
@@ -209,10 +216,20 @@ class StreamImporter {
     const StreamCondition& condition = stream_.condition();
     const std::string last = std::to_string(stream_.steps().back().step);
     if (condition.damage) all.push_back(*condition.damage + "; the log ends with step " + last);
-    if (condition.torn || (!condition.finished && !condition.damage)) {
-      all.push_back(stream_.name() + ": ends without its last frame: the recorder was stopped after step " + last);
-    }
+    if (was_stopped()) all.push_back(stream_.name() + ": ends without its last frame: " + cut_short());
     return all;
+  }
+
+  [[nodiscard]] bool was_stopped() const {
+    const StreamCondition& condition = stream_.condition();
+    return condition.torn || (!condition.finished && !condition.damage);
+  }
+
+  /// For later readers of the log, which see a whole file.
+  [[nodiscard]] std::string cut_short() const {
+    const std::string last = std::to_string(stream_.steps().back().step);
+    if (was_stopped()) return "the recorder was stopped after step " + last;
+    return stream_.condition().damage ? "the recorder's stream is damaged behind step " + last : "";
   }
 
   const StreamReader& stream_;

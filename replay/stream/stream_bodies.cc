@@ -47,13 +47,37 @@ EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) c
           axes_.length(vector_at(numbers, 7)), axes_.axial(vector_at(numbers, 10)), asleep};
 }
 
-double StreamBodies::edge(std::uint64_t id, double length) {
-  const double cut = std::clamp(length, sim::kSizeMin, sim::kSizeMax);
-  if (length >= sim::kSizeMin && length <= sim::kSizeMax) return length;
-  std::string note = "body " + std::to_string(id) + ": an edge of " + number_text(length) + " m is logged as " +
-                     number_text(cut) + " m";
+double StreamBodies::within(std::uint64_t id, const Range& range, double value) {
+  if (value >= range.low && value <= range.high) return value;
+  const double cut = std::isnan(value) ? range.for_nan : std::clamp(value, range.low, range.high);
+  std::string note = "body " + std::to_string(id) + ": " + range.what + " of " + number_text(value) + range.unit +
+                     " is logged as " + number_text(cut) + range.unit;
   if (notes_.empty() || notes_.back() != note) notes_.push_back(std::move(note));
   return cut;
+}
+
+void StreamBodies::keep_within(sim::BoxDef& box) {
+  const Range edge = {"an edge", " m", sim::kSizeMin, sim::kSizeMax, 1};
+  const Range place = {"a coordinate at its start", " m", -sim::kPositionMax, sim::kPositionMax, 0};
+  const Range velocity = {"a velocity at its start", " m/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
+  const Range spin = {"an angular velocity at its start", " rad/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
+  for (int k = 0; k < 3; ++k) {
+    box.size[k] = within(box.id, edge, box.size[k]);
+    box.position[k] = within(box.id, place, box.position[k]);
+    box.velocity[k] = within(box.id, velocity, box.velocity[k]);
+    box.spin[k] = within(box.id, spin, box.spin[k]);
+  }
+  sim::Material& material = box.material;
+  box.mass = within(box.id, {"a mass", " kg", sim::kMassMin, sim::kMassMax, 1}, box.mass);
+  material.friction = within(box.id, {"a friction", "", 0, sim::kFrictionMax, 0}, material.friction);
+  material.friction_dynamic = material.friction;
+  material.restitution = within(box.id, {"a restitution", "", 0, 1, 0}, material.restitution);
+  const sim::Quat& q = box.orientation;
+  const double squared = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  if (squared > 1e-12 && squared < 1e12) return;
+  notes_.push_back("body " + std::to_string(box.id) +
+                   ": an orientation at its start that is no rotation is logged as none");
+  box.orientation = sim::Quat();
 }
 
 void StreamBodies::note_not_finite(const StreamState& state, std::uint64_t step) {
@@ -71,7 +95,6 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   sim::BoxDef box;
   box.id = body.id;
   box.size = axes_.extents(box_around(body));
-  for (int k = 0; k < 3; ++k) box.size[k] = edge(body.id, box.size[k]);
   if (body.shape > kCylinder && !meshes_.contains(body.mesh_hash)) {
     notes_.push_back("body " + std::to_string(body.id) + ": a " + kShapeNames[body.shape] +
                      " is logged as the box around it, for the stream has no tumble_rec_mesh() of its hash");
@@ -83,8 +106,9 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.velocity = state.velocity;
   box.spin = state.spin;
   box.frozen = state.frozen && !body.is_static;
-  box.material.friction = box.material.friction_dynamic = body.friction;
+  box.material.friction = body.friction;
   box.material.restitution = body.restitution;
+  keep_within(box);
   return box;
 }
 

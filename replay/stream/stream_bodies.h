@@ -55,7 +55,14 @@ class StreamBodies {
  private:
   [[nodiscard]] EngineState converted(const StreamNumbers& numbers, bool asleep) const;
   [[nodiscard]] std::optional<Shape> shape_of(const StreamBody& body) const;
-  double edge(std::uint64_t id, double length);
+  struct Range {
+    const char* what;
+    const char* unit;
+    double low, high, for_nan;
+  };
+  /// The value, or the nearest that a log can hold, with a note.
+  double within(std::uint64_t id, const Range& range, double value);
+  void keep_within(sim::BoxDef& box);
 
   EngineAxes axes_;
   std::map<std::uint64_t, EngineState> last_;

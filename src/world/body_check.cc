@@ -44,7 +44,9 @@ Status check_moving(Bodies& bodies, LaneWidth lanes) {
 
 Status check_def(const WorldDef& def) {
   const auto in = [](double value, double low, double high) { return value >= low && value <= high; };  // false for NaN
-  if (!in(def.dt, kDtMin, kDtMax)) return bad_input("world: dt must be " + exact(kDtMin) + " … 1 s");
+  if (!in(def.dt, kDtMin, kDtMax)) {
+    return bad_input("world: found a dt of " + exact(def.dt) + " s, wanted " + exact(kDtMin) + " … 1 s");
+  }
   if (def.substeps == 0 || def.substeps > kSubstepsMax) return bad_input("world: substeps must be 1 … 1024");
   for (const double g : {def.gravity.x(), def.gravity.y(), def.gravity.z()}) {
     if (!in(g, -kGravityMax, kGravityMax)) return bad_input("world: gravity must be finite and within ±10000 m/s²");

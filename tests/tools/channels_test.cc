@@ -72,6 +72,59 @@ TEST(Channels, IdenticalListsThemAndTheColumnsPassedOver) {
   }
 }
 
+std::string without_seed(std::string text) {
+  for (std::size_t at = text.find(",7,x"); at != std::string::npos; at = text.find(",7,x")) text.replace(at, 4, ",x");
+  text.replace(text.find(",rng"), 4, "");
+  return text;
+}
+
+// CI looks at the status: a channel that one session has lost must not pass.
+TEST(Channels, OneThatOneLogLacksIsNoIdentity) {
+  const Workshop shop;
+  import(shop, "a", table("0.22"));
+  shop.write("b.csv", without_seed(table("0.22")));
+  shop.write("robot.map", std::string(kMap).substr(0, std::string(kMap).find("world.seed")) + "channel.knee = knee\n");
+  ASSERT_EQ(shop.run({"import", "b.csv", "--map-file", "robot.map"}).exit, 0);
+  const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(diff.exit, 1);
+  const std::string first = "different in what was recorded: only a.tumble has channel seed; the 19 steps of both are";
+  EXPECT_EQ(diff.out.find("identical"), std::string::npos) << diff.out;
+  EXPECT_NE(diff.out.find(first), std::string::npos) << diff.out;
+  const json found = json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(found["identical"], false);
+  EXPECT_TRUE(found["first"].is_null());
+  EXPECT_EQ(found["only_in"], (json{{"a", {"channel seed"}}, {"b", json::array()}}));
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"diff", "b.tumble", "a.tumble"},
+                                             {"diff", "a.tumble", "b.tumble", "--brief"},
+                                             {"diff", "a.tumble", "b.tumble", "--tolerance", "position=1"},
+                                             {"diff", "a.tumble", "b.tumble", "--step", "3"},
+                                             {"diff", "a.tumble", "a.tumble", "b.tumble"},
+                                             {"bisect", "a.tumble", "b.tumble"}}) {
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 1) << words[0] << ' ' << words[3] << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("channel seed"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("identical: "), std::string::npos) << outcome.out;
+  }
+  const Outcome shared = shop.run({"diff", "a.tumble", "b.tumble", "--shared"});
+  EXPECT_EQ(shared.exit, 0) << shared.out;
+  EXPECT_NE(shared.out.find("though only a.tumble has channel seed"), std::string::npos) << shared.out;
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble", "b.tumble", "--shared"}).exit, 2) << "an option for two logs";
+}
+
+TEST(Channels, HeaderLinesHaveTheNamesOfBodies) {
+  const Workshop shop;
+  import(shop, "a", table("0.22"));
+  std::string moved = table("0.22");
+  for (std::size_t at = moved.find(",3,0,1"); at != std::string::npos; at = moved.find(",3,0,1", at))
+    moved[at + 1] = '4';
+  import(shop, "b", moved);
+  const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_NE(diff.out.find("header: body shin position.x: 3 → 4"), std::string::npos) << diff.out;
+  const json found = json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(found["headers"][0], "body shin position.x: 3 → 4") << found["headers"];
+}
+
 TEST(Channels, MeasureBoundsThemAndDumpPrintsThem) {
   const Workshop shop;
   import(shop, "a", table("5"));

@@ -158,7 +158,14 @@ TEST(EngineReplay, EnginesThatLieAreFound) {
   write_falling(shop, "--extra");
   const Outcome extra = shop.run({"replay", "a.tumble"});
   EXPECT_EQ(extra.exit, 0) << extra.err;
-  EXPECT_TRUE(says(extra.out, "channel extra: only the second log has it")) << extra.out;
+  EXPECT_TRUE(says(extra.out, "only this run has channel extra, which the log cannot judge")) << extra.out;
+  EXPECT_EQ(parsed(shop.run({"replay", "a.tumble", "--json"}))["only_in"]["b"][0], "channel extra");
+  record_falling(shop, "b", "--extra");
+  write_falling(shop);
+  const Outcome lost = shop.run({"replay", "b.tumble"});
+  EXPECT_EQ(lost.exit, 1) << lost.out << lost.err;
+  EXPECT_TRUE(says(lost.out, "different in what was recorded: only the log has channel extra; the 40 steps of both"))
+      << lost.out;
   shop.write("tumble.toml", "[engine]\nrun = 'mkdir {log}'\n");
   EXPECT_EQ(shop.run({"replay", "a.tumble"}).exit, 4);
   shop.write("tumble.toml", "[engine]\nrun = 'cp tumble.toml {log}'\n");

@@ -171,6 +171,19 @@ TEST(SameCommand, StepsThatNoLogHoldsAreNotCounted) {
   EXPECT_TRUE(says(measured, "r.tumble is not whole: ")) << measured.out;
 }
 
+TEST(SameCommand, InputsBehindTheLastStepAreNamed) {
+  const Workshop shop;
+  shop.write("q.toml",
+             std::string("[world]\nsteps = 9\n[[box]]\nposition = [0.0, 0.0, 9.0]\n") +
+                 "[[input]]\nstep = 8\nkind = \"throw\"\nposition = [5.0, 0.0, 9.0]\nvelocity = [0.0, 1.0, 0.0]\n");
+  const Outcome all = shop.run({"record", "q.toml", "-o", "q.tumble", "--json"});
+  EXPECT_TRUE(ordered_json::parse(all.out)["warnings"].empty()) << all.out;
+  const Outcome fewer = shop.run({"record", "q.toml", "-o", "q.tumble", "--steps", "7", "--json"});
+  EXPECT_EQ(fewer.exit, 0) << fewer.err;
+  EXPECT_EQ(ordered_json::parse(fewer.out)["warnings"][0],
+            "1 input is planned behind step 7, the last one, and not given; the first: throw before step 8");
+}
+
 TEST(SameCommand, EqualStepsOfUnequalParametersSaySo) {
   const Workshop shop;
   shop.write("q.toml", "[world]\nsteps = 3\n[[box]]\nposition = [0.0, 0.0, 9.0]\n");

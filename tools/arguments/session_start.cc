@@ -1,6 +1,8 @@
 #include "tools/arguments/session_start.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -32,6 +34,26 @@ Result<LogPlace> parse_log_place(const std::string& text) {
       colon == std::string::npos ? std::nullopt : parse_whole(text.substr(colon + 1));
   if (step && colon > 0) return LogPlace{text.substr(0, colon), *step};
   return bad_input("--from: found " + in_quotes(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
+}
+
+std::string inputs_left_out(const std::string& scene, const std::vector<std::string>& overrides,
+                            const sim::SceneDef& recorded) {
+  std::vector<sim::TimedCommand> inputs = recorded.inputs;
+  if (!scene.empty()) {
+    replay::RecordOptions whole;
+    std::ranges::copy_if(overrides, std::back_inserter(whole.overrides), [](const std::string& set) {
+      return !set.starts_with("world.steps=") && !set.starts_with("world.seconds=");
+    });
+    Result<SceneStart> start = read_scene_start(scene, std::move(whole));
+    if (start.ok()) inputs = std::move(start->scene.inputs);
+  }
+  const auto is_late = [&](const sim::TimedCommand& input) { return input.step > recorded.steps; };
+  const auto first = std::ranges::find_if(inputs, is_late);
+  if (first == inputs.end()) return "";
+  const auto count = static_cast<std::uint64_t>(std::ranges::count_if(inputs, is_late));
+  return count_text(count, "input") + (count == 1 ? " is" : " are") + " planned behind step " +
+         std::to_string(recorded.steps) + ", the last one, and not given; the first: " + sim::name_of(first->command) +
+         " before step " + std::to_string(first->step);
 }
 
 }  // namespace tumble::tools

@@ -22,6 +22,12 @@ struct SceneStart {
 /// Reads a scene that the command line names. `how`: its overrides are applied. Errors: find_scene's, the scene's.
 Result<SceneStart> read_scene_start(const std::string& scene, replay::RecordOptions how);
 
+/// "3 inputs are planned behind step 10, the last one, and not given; the first: throw before step 12"; empty where a
+/// session has all of them. `recorded` has no inputs of `scene` behind the end of a session that an option shortens, so
+/// the scene is read again. scene: empty where the session goes on from a log.
+std::string inputs_left_out(const std::string& scene, const std::vector<std::string>& overrides,
+                            const sim::SceneDef& recorded);
+
 /// The argument LOG:STEP.
 struct LogPlace {
   std::string log;

@@ -211,8 +211,9 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
     if (!wanted.ok()) return wanted.error();
     const Result<replay::DiffReport> report = replay::diff_logs(*wanted, *log);
     if (!report.ok()) return skipped(report.error().message);
-    if (report->identical()) return answered(true, same_text(report->scope));
-    return answered(false, report->first ? replay::describe(*report->first) : "another number of steps");
+    if (report->computed_again()) return answered(true, same_text(report->scope));
+    return answered(
+        false, report->first ? replay::describe(*report->first) : report->unequal("the log", "the revision's session"));
   }
   const Result<replay::Metrics> metrics = replay::measure_log(*log, settings_.measure);
   if (!metrics.ok()) return skipped(metrics.error().message);

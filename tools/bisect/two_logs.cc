@@ -30,6 +30,7 @@ Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b
   };
   if (json_wanted) {
     Json json = comparison_json(report.identical(), report.steps, report.first);
+    json["only_in"] = only_in_json(report.only_in);
     json["read"] = read_of(*a, *b);
     add_scope(report.scope, json);
     json["notes"] = report.notes;
@@ -49,7 +50,10 @@ Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b
     print_location(located->location, sides);
     std::cout << "  opened      " << located->chunks_opened << " chunks of " << chunks << '\n';
   } else {
-    std::cout << (report.identical() ? "identical: " : "different in length; identical: ")
+    const Sides sides = sides_of(path_a, path_b);
+    std::cout << (report.identical() ? "identical: "
+                                     : "different in " + printable(report.unequal(sides.expected, sides.actual)) +
+                                           "; the same in all else that was compared: ")
               << count_text(report.steps, "step") << '\n';
     if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
     print_scope(report.scope);

@@ -37,7 +37,7 @@ void print_comparison(const Comparison& comparison) {
     return;
   }
   if (!report.first) {
-    std::cout << "\nthe sessions before and after have " << report.last_a << " and " << report.last_b << " steps\n";
+    std::cout << "\nthe sessions before and after differ: " << printable(report.unequal("before", "after")) << '\n';
     return;
   }
   std::cout << "\nthe sessions before and after it\n";

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "replay/diff/difference_report.h"
@@ -42,6 +43,7 @@ struct DiffCommand {
   std::optional<double> apart;  // m
   std::optional<std::uint64_t> step;
   std::string plot;
+  bool shared = false;
   bool zoom = false;
   ZoomPrograms programs;
   bool brief = false;
@@ -69,20 +71,6 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   if (report.first) difference->cause = replay::cause_of(report, *report.first);  // which names the field too
 }
 
-/// Adds the names of body and pair; a body that the first log does not name may have one in the second.
-void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence& found) {
-  const auto name = [&](sim::BodyId id) {
-    const std::string in_a = a.bodies().name(id);
-    return in_a.empty() ? b.bodies().name(id) : in_a;
-  };
-  if (found.pair) {
-    const std::string one = name(found.pair->first), other = name(found.pair->second);
-    if (!one.empty() || !other.empty()) found.names = one + " and " + other;
-  } else if (found.body) {
-    found.names = name(*found.body);
-  }
-}
-
 Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<bool> same = print_side_by_side(a, b, *options.step, options.json);
   if (!same.ok()) return same.error();
@@ -99,7 +87,7 @@ Status draw(const DiffCommand& options, const Difference& difference) {
 }
 
 DiffQuestion question_of(const DiffCommand& options, bool exact_bits) {
-  return {options.a, options.b, exact_bits, options.brief, options.json, options.zoom, options.apart};
+  return {options.a, options.b, exact_bits, options.brief, options.json, options.zoom, options.apart, ""};
 }
 
 /// --apart: when the two were first apart by more than that.
@@ -150,7 +138,11 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   const std::uint64_t last = std::min(report->last_a, report->last_b);
   const Result<std::optional<Parting>> parting = parting_of(options, a, *report, difference, last);
   if (!parting.ok()) return parting.error();
-  print_result(question_of(options, tolerances->exact()), *report, difference, {sides_of(a, b), read, zoom, *parting});
+  DiffQuestion question = question_of(options, tolerances->exact());
+  if (options.shared) {
+    question.excused = std::exchange(report->only_in, {}).text(sides_of(a, b).expected, sides_of(a, b).actual);
+  }
+  print_result(question, *report, difference, {sides_of(a, b), read, zoom, *parting});
   const bool all_measured = !difference || !difference->growth || !difference->growth->separation.bodies_from ||
                             *difference->growth->separation.bodies_from > last;
   if (options.apart && !options.json) print_parting(*parting, *options.apart, last, all_measured);
@@ -162,7 +154,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
 
 bool is_plain(const DiffCommand& options) {
   return options.tolerances.empty() && options.plot.empty() && !options.until && !options.apart && !options.step &&
-         !options.zoom && !options.brief;
+         !options.zoom && !options.brief && !options.shared;
 }
 
 Result<Exit> diff(const DiffCommand& options) {
@@ -231,6 +223,10 @@ Action declare_diff(Arguments& arguments) {
       "whatever bits differ");
   until.excludes(step);
   apart.excludes(step);
+  arguments
+      .flag("--shared", options->shared,
+            "Judge only what both logs have: a channel that one log alone has is named, and no difference")
+      .excludes(step);
   const Argument zoom =
       arguments
           .flag("--zoom", options->zoom,

@@ -100,7 +100,10 @@ void print_text(const LogReader& log, const LogFacts& facts, const LogCondition&
   const std::string per_step = each ? ", " + rounded(*each, "bytes per moving body-step") : "";
   listing.add("size", bytes_text(log.file_bytes()) + per_step);
   listing.add("final hash", facts.final_hash ? to_string(*facts.final_hash) : "none");
-  listing.add("condition", condition.whole() ? "whole, every hash as written" : condition.summary(log.last_step()));
+  const std::string& cut_short = log.header().declared.cut_short;
+  listing.add("condition", !condition.whole()  ? condition.summary(log.last_step())
+                           : cut_short.empty() ? "whole, every hash as written"
+                                               : "every hash as written; the session may have gone on: " + cut_short);
   listing.print();
 }
 
@@ -160,6 +163,7 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
   const std::optional<double> each = facts.bytes_per_moving_body_step(log.file_bytes());
   json["bytes_per_moving_body_step"] = each ? Json(*each) : Json(nullptr);
   json["whole"] = condition.whole();
+  json["cut_short"] = log.header().declared.cut_short;
   json["torn"] = condition.torn;
   json["torn_at_byte"] = condition.torn ? Json(condition.torn_offset) : Json(nullptr);
   json["damages"] = Json::array();

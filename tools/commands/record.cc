@@ -213,6 +213,8 @@ Result<Exit> record(const RecordCommand& options) {
   if (!recorder.ok()) return recorder.error();
   std::vector<std::string> advice;
   if (options.from.empty()) advice = replay::start_warnings((*recorder)->world().state(), (*recorder)->scene().inputs);
+  if (std::string text = inputs_left_out(options.scene, options.overrides, (*recorder)->scene()); !text.empty())
+    advice.push_back(std::move(text));
   for (const std::string& warning : advice) {
     if (!options.quiet) std::cerr << "tumble record: warning: " << warning << '\n';
   }

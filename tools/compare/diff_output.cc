@@ -15,7 +15,7 @@ namespace {
 
 // If one log is longer and equal so far, the first difference is the step that only this log has.
 std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
-  if (report.first || report.identical()) return report.first;
+  if (report.first || report.last_a == report.last_b) return report.first;
   replay::Divergence end;
   end.step = std::min(report.last_a, report.last_b) + 1;
   end.phase = "step";
@@ -36,9 +36,22 @@ std::string same_text(const DiffQuestion& question, const replay::DiffReport& re
   return words + (question.exact_bits ? ", " + report.scope.every_bit() : "");
 }
 
-void print_text(const DiffQuestion& question, const replay::DiffReport& report) {
+/// "different in channels: only a.tumble has channel knee; the 40 steps are the same, every compared bit".
+std::string unequal_text(const DiffQuestion& question, const replay::DiffReport& report, const Sides& sides,
+                         const std::string& steps) {
+  const std::string missing = report.only_in.text(sides.expected, sides.actual);
+  std::string text = report.last_a != report.last_b
+                         ? "different in length: the first ends with step " + std::to_string(report.last_a) +
+                               ", the second with step " + std::to_string(report.last_b) + "; "
+                         : "different in what was recorded: ";
+  text += missing + (missing.empty() ? "" : "; ") + "the " + steps + " of both are the same";
+  if (!question.exact_bits) return text + " within tolerances";
+  return text + (missing.empty() ? "" : " in all else that was compared");
+}
+
+void print_text(const DiffQuestion& question, const replay::DiffReport& report, const Sides& sides) {
   for (std::size_t i = 0; i < std::min(kHeadersShown, report.headers.size()); ++i) {
-    std::cout << "header: " << printable(describe(report.headers[i])) << '\n';
+    std::cout << "header: " << sides.named(printable(describe(report.headers[i]))) << '\n';
   }
   if (report.headers.size() > kHeadersShown) {
     std::cout << "header: " << report.headers.size() - kHeadersShown << " more differences (all with --json)\n";
@@ -48,11 +61,11 @@ void print_text(const DiffQuestion& question, const replay::DiffReport& report) 
   const std::string steps = count_text(report.steps, "step");
   if (report.identical()) {
     std::cout << same_text(question, report, steps) << '\n';
+    if (!question.excused.empty()) std::cout << "  though " << question.excused << ", as --shared allows\n";
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
   } else {
-    std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
-              << report.last_b << "; the " << steps << " of both are the same\n";
+    std::cout << unequal_text(question, report, sides, steps) << '\n';
   }
   if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
   if (!report.first) print_scope(report.scope);
@@ -85,12 +98,15 @@ void print_result(const DiffQuestion& question, const replay::DiffReport& report
                   const Further& further) {
   if (question.json) {
     Json json = comparison_json(report.identical(), report.steps, first_of(report));
+    json["only_in"] = only_in_json(report.only_in);
     json["read"] = further.read;
     add_scope(report.scope, json);
     json["zeros_of_other_sign"] = report.zeros;
     json["notes"] = report.notes;
     json["headers"] = Json::array();
-    for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
+    for (const replay::HeaderDifference& header : report.headers) {
+      json["headers"].push_back(further.sides.named(describe(header)));
+    }
     json["header_differences"] = headers_json(report.headers);
     if (difference) add_difference(*difference, Compared::kTwoLogs, json);
     const std::string next = next_command(question, difference);
@@ -100,8 +116,8 @@ void print_result(const DiffQuestion& question, const replay::DiffReport& report
     print_json("diff", json);
     return;
   }
-  print_text(question, report);
   const Sides& sides = further.sides;
+  print_text(question, report, sides);
   if (difference) {
     print_difference(*difference, Compared::kTwoLogs, sides);
     const std::string next = next_command(question, difference);

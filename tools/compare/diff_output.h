@@ -22,6 +22,7 @@ struct DiffQuestion {
   bool json = false;
   bool zoom = false;
   std::optional<double> apart;  ///< m
+  std::string excused;          ///< data that one log alone has, which is no difference as asked; empty: none
 };
 
 /// What was found besides the comparison.

@@ -55,6 +55,8 @@ class Grouping {
       const Result<replay::DiffReport> report = replay::diff_logs(logs_[member], logs_[log], {}, progress_);
       if (!report.ok()) return report.error();
       if (report->first) return false;
+      if (result_.not_in_all.empty())
+        result_.not_in_all = report->only_in.text(logs_[member].name(), logs_[log].name());
       partial_ |= !report->scope.passed_over().empty() || report->last_a != report->last_b;
       scope_.add(report->scope, logs_[member].name() + " and " + logs_[log].name());
     }
@@ -128,8 +130,11 @@ void print_groups(const std::vector<std::string>& paths, const std::vector<repla
                   const LogGroups& found) {
   const std::string all = count_text(paths.size(), "log");
   if (found.groups.size() == 1) {
-    std::cout << (found.same_length ? "identical: " : "different in length: ") << all
-              << ", the same in every compared bit of the steps that they share\n";
+    const char* verdict = found.identical()    ? "identical: "
+                          : !found.same_length ? "different in length: "
+                                               : "different in what was recorded: ";
+    std::cout << verdict << all << ", the same in every compared bit of the steps that they share";
+    std::cout << (found.not_in_all.empty() ? "" : "; " + printable(found.not_in_all)) << '\n';
   } else {
     std::cout << "different: " << all << " in " << found.groups.size() << " groups";
     std::cout << (found.has_majority() ? "\n" : "; no group is the largest, so none is the odd one\n");
@@ -166,6 +171,7 @@ Json groups_json(const std::vector<std::string>& paths, const LogGroups& found) 
   Json json = {{"identical", found.identical()},
                {"logs", paths},
                {"has_majority", found.has_majority()},
+               {"not_in_all", found.not_in_all},
                {"groups", Json::array()}};
   for (std::size_t g = 0; g < found.groups.size(); ++g) {
     const LogGroup& group = found.groups[g];

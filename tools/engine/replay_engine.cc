@@ -37,16 +37,24 @@ void print_text(const replay::DiffReport& report, const std::optional<replay::Di
   }
   for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
   const std::string engine = printable(to_string(*again.header().engine));
-  if (report.identical()) {
+  const Sides sides = {printable(fs::path(log.name()).filename().string()), "this run"};
+  const std::string only_in = report.only_in.text("the log", sides.actual);
+  if (report.computed_again()) {
     std::cout << "same: " << count_text(report.steps, "step") << " computed again by " << engine
               << " with the log's inputs, every compared bit as recorded";
     if (report.zeros > 0) std::cout << ", but for the sign of " << count_text(report.zeros, "zero");
     std::cout << '\n';
+    if (!only_in.empty()) std::cout << "  " << printable(only_in) << ", which the log cannot judge\n";
     if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
     print_scope(report.scope);
     return;
   }
-  const Sides sides = {printable(fs::path(log.name()).filename().string()), "this run"};
+  if (!report.first && report.last_a == report.last_b) {
+    std::cout << "different in what was recorded: " << printable(only_in) << "; the "
+              << count_text(report.steps, "step") << " of both are the same in all else that was compared\n";
+    print_scope(report.scope);
+    return;
+  }
   if (!report.first) {
     std::cout << "different in length: the log ends with step " << report.last_a << ", this run with step "
               << report.last_b << "; the " << count_text(report.steps, "step") << " of both are the same\n";
@@ -65,7 +73,8 @@ void print_text(const replay::DiffReport& report, const std::optional<replay::Di
 
 Json json_of(const replay::DiffReport& report, const std::optional<replay::DifferenceReport>& difference,
              const EngineSession& session, const replay::LogReader& again) {
-  Json json = comparison_json(report.identical(), report.steps, report.first);
+  Json json = comparison_json(report.computed_again(), report.steps, report.first);
+  json["only_in"] = only_in_json(report.only_in);
   json["engine"] = to_string(*again.header().engine);
   json["command"] = session.command;
   json["engine_ended"] = session.stopped ? "stopped" : session.failure.empty() ? "well" : "failed";
@@ -117,13 +126,16 @@ Result<Exit> compare_with(replay::LogReader& log, replay::LogReader& again, cons
     if (!found.ok()) return found.error();
     difference = *std::move(found);
     report->first = difference->first;
+    name_bodies(log, again, difference->first);
+    if (difference->effect) name_bodies(log, again, *difference->effect);
   }
+  if (report->first) name_bodies(log, again, *report->first);
   if (options.json) {
     print_json("replay", json_of(*report, difference, session, again));
   } else {
     print_text(*report, difference, log, again, options.brief);
   }
-  const Exit verdict = report->identical() ? Exit::kSame : Exit::kDifference;
+  const Exit verdict = report->computed_again() ? Exit::kSame : Exit::kDifference;
   return judge("replay", log, ended ? judge("replay", again, verdict) : verdict);
 }
 

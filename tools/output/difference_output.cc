@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kRowsJson = 4000;
 constexpr std::size_t kContactsShown = 8;
+constexpr std::size_t kMetricsNamed = 6;
 
 /// The strongest kind of difference between the two.
 const char* kind_of(const replay::Separation& separation) {
@@ -50,6 +51,29 @@ std::pair<std::string, std::string> values_apart(const std::optional<double>& a,
   const auto text = [](const std::optional<double>& value) { return value ? rounded(*value, "") : "none"; };
   if (!a || !b || text(a) != text(b)) return {text(a), text(b)};
   return {exact(*a), exact(*b)};
+}
+
+/// A metric over a body that is lost has no number: such metrics are named and not set side by side.
+void print_metrics(const std::vector<replay::MovedMetric>& moved, const Sides& sides) {
+  const auto is_none = [](const std::optional<double>& value) { return value && std::isnan(*value); };
+  Table metrics({"  metric that moved", ">" + sides.expected, ">" + sides.actual, "unit"});
+  std::vector<std::string> in_a, in_b;
+  for (const replay::MovedMetric& m : moved) {
+    if (is_none(m.a)) in_a.push_back(m.name);
+    if (is_none(m.b)) in_b.push_back(m.name);
+    if (is_none(m.a) || is_none(m.b)) continue;
+    const auto [text_a, text_b] = values_apart(m.a, m.b);
+    metrics.add({"  " + m.name, text_a, text_b, m.unit});
+  }
+  if (in_a.size() + in_b.size() < moved.size()) metrics.print();
+  for (const auto& [names, side] : {std::pair(in_a, sides.expected), std::pair(in_b, sides.actual)}) {
+    if (names.empty()) continue;
+    std::cout << "no number in " << side << ", where a body is lost: ";
+    for (std::size_t i = 0; i < std::min(kMetricsNamed, names.size()); ++i)
+      std::cout << (i == 0 ? "" : ", ") << names[i];
+    if (names.size() > kMetricsNamed) std::cout << " and " << names.size() - kMetricsNamed << " more metrics";
+    std::cout << '\n';
+  }
 }
 
 Json row_json(const replay::SeparationRow& row) {
@@ -156,12 +180,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   } else if (growth.metrics.empty()) {
     std::cout << "no metric moved\n";
   } else {
-    Table metrics({"  metric that moved", ">" + sides.expected, ">" + sides.actual, "unit"});
-    for (const replay::MovedMetric& m : growth.metrics) {
-      const auto [in_a, in_b] = values_apart(m.a, m.b);
-      metrics.add({"  " + m.name, in_a, in_b, m.unit});
-    }
-    metrics.print();
+    print_metrics(growth.metrics, sides);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "tools/output/divergence_output.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <filesystem>
@@ -85,16 +86,34 @@ std::string Sides::body(sim::BodyId id) const {
 }
 
 std::string Sides::named(std::string text) const {
-  constexpr std::string_view kBody = "body ";
-  for (std::size_t at = text.find(kBody); at != std::string::npos; at = text.find(kBody, at + 1)) {
-    const char* const begin = text.data() + at + kBody.size();
+  if (names.empty()) return text;
+  constexpr std::string_view kDigits = "0123456789";
+  std::string named;
+  std::size_t from = 0;
+  for (std::size_t at = 0; (at = text.find_first_of(kDigits, from)) != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_not_of(kDigits, at), text.size());
+    const bool whole = (at == 0 || text[at - 1] != '.') && (end == text.size() || text[end] != '.');
     sim::BodyId id = 0;
-    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), id);
-    const auto found = error == std::errc() ? names.find(id) : names.end();
-    if (found == names.end()) continue;
-    text.replace(at + kBody.size(), static_cast<std::size_t>(end - begin), found->second);
+    const std::errc error = std::from_chars(text.data() + at, text.data() + end, id).ec;
+    const auto found = whole && error == std::errc() ? names.find(id) : names.end();
+    named.append(text, from, at - from);
+    named += found == names.end() ? text.substr(at, end - at) : found->second;
+    from = end;
   }
-  return text;
+  return named + text.substr(from);
+}
+
+void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence& found) {
+  const auto name = [&](sim::BodyId id) {
+    const std::string in_a = a.bodies().name(id);
+    return in_a.empty() ? b.bodies().name(id) : in_a;
+  };
+  if (found.pair) {
+    const std::string one = name(found.pair->first), other = name(found.pair->second);
+    if (!one.empty() || !other.empty()) found.names = one + " and " + other;
+  } else if (found.body) {
+    found.names = name(*found.body);
+  }
 }
 
 std::string hex_text(double value) { return hex_text(std::bit_cast<std::uint64_t>(value)); }
@@ -148,6 +167,8 @@ void print_scope(const replay::ComparisonScope& scope) {
   }
   listing.print();
 }
+
+Json only_in_json(const replay::OnlyInOne& only_in) { return {{"a", only_in.a}, {"b", only_in.b}}; }
 
 void add_scope(const replay::ComparisonScope& scope, Json& json) {
   json["compared"] = scope.compared;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tools/output/text.h"
+#include "tumble/replay/compare.h"
 #include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/divergence.h"
 #include "tumble/replay/log_reader.h"
@@ -32,7 +33,7 @@ struct Sides {
 
   /// "body 7"; "body wheel_fl" of a body in `names`.
   [[nodiscard]] std::string body(sim::BodyId id) const;
-  /// A text with "body wheel_fl" wherever it has the id of a body in `names`.
+  /// A text with the name wherever it has the id of a body in `names`, which is no other number: "body wheel_fl".
   [[nodiscard]] std::string named(std::string text) const;
 };
 
@@ -41,6 +42,9 @@ Sides sides_of(const std::string& a, const std::string& b);
 /// Likewise of two logs, with the names of their bodies.
 Sides sides_of(replay::LogReader& a, replay::LogReader& b);
 
+/// Adds the names of body and pair; a body that the first log does not name may have one in the second.
+void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence& found);
+
 /// Prints the first difference for people, in a few aligned lines.
 void print_divergence(const replay::Divergence& first, const Sides& sides);
 
@@ -48,6 +52,8 @@ void print_divergence(const replay::Divergence& first, const Sides& sides);
 std::string read_of(const replay::LogReader& a, const replay::LogReader& b);
 /// Prints what an answer speaks of and what it does not.
 void print_scope(const replay::ComparisonScope& scope);
+/// {"a": […], "b": […]}: data that one of two logs alone has.
+Json only_in_json(const replay::OnlyInOne& only_in);
 /// Adds "compared" and "not_compared", lists of texts.
 void add_scope(const replay::ComparisonScope& scope, Json& json);
 

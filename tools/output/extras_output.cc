@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "replay/arrays/pair_cell.h"
 #include "replay/diff/channel_difference.h"
-#include "tools/output/divergence_output.h"
+#include "replay/diff/only_in_one.h"
 
 namespace tumble::tools {
 namespace {
@@ -234,8 +236,9 @@ void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const rep
   }
 }
 
-Json passed_over_json(const replay::LogHeader& a, const replay::LogHeader& b) {
-  Json parts = replay::match_channels(a, b, {}, replay::are_two_engines(a, b)).passed_over;
+bool add_left_out(const replay::LogHeader& a, const replay::LogHeader& b, Json& step) {
+  const bool two_engines = replay::are_two_engines(a, b);
+  Json parts = replay::match_channels(a, b, {}, two_engines).passed_over;
   for (const replay::LogHeader* header : {&a, &b}) {
     if (!header->table) continue;
     for (const std::string& column : header->table->passed_over) {
@@ -243,7 +246,19 @@ Json passed_over_json(const replay::LogHeader& a, const replay::LogHeader& b) {
       if (std::ranges::find(parts, Json(text)) == parts.end()) parts.push_back(text);
     }
   }
-  return parts;
+  step["not_compared"] = parts;
+  const replay::OnlyInOne only_in = two_engines ? replay::OnlyInOne() : replay::only_in_one(a, b);
+  step["only_in"] = only_in_json(only_in);
+  return only_in.empty();
+}
+
+void print_left_out(const Json& step, const Sides& sides) {
+  for (const auto& [side, name] : {std::pair("a", sides.expected), std::pair("b", sides.actual)}) {
+    for (const Json& part : step["only_in"][side])
+      std::cout << "  only in " << name << ": " << printable(part.get<std::string>()) << '\n';
+  }
+  for (const Json& part : step["not_compared"])
+    std::cout << "  not compared: " << printable(part.get<std::string>()) << '\n';
 }
 
 }  // namespace tumble::tools

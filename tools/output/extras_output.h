@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/body_table.h"
 #include "tumble/replay/extras.h"
@@ -49,7 +50,10 @@ void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& b
 void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const replay::StepRecord& in_a,
                            const replay::StepRecord& in_b, Json& rows);
 
-/// Channels and columns of tables that the logs have and no comparison of a step looks at, each with its reason.
-Json passed_over_json(const replay::LogHeader& a, const replay::LogHeader& b);
+/// Adds to a step side by side "not_compared", channels and columns of tables that no comparison looks at, each with
+/// its reason, and "only_in", data that one of two logs of one engine lacks. False: there is such data.
+bool add_left_out(const replay::LogHeader& a, const replay::LogHeader& b, Json& step);
+/// Prints both.
+void print_left_out(const Json& step, const Sides& sides);
 
 }  // namespace tumble::tools

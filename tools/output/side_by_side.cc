@@ -218,7 +218,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
   add_extra_differences(a, b, in_a, in_b, json["values"]);
-  json["not_compared"] = passed_over_json(a.header(), b.header());
+  const bool all = add_left_out(a.header(), b.header(), json);
   const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
   json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
@@ -228,7 +228,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   const auto same_rows = [](const Json& rows) {
     return std::ranges::all_of(rows, [](const Json& row) { return row["same"].get<bool>(); });
   };
-  step.same = same_rows(json["values"]) && same_rows(json["phases"]) && (!have_states || json["bodies"].empty());
+  step.same = all && same_rows(json["values"]) && same_rows(json["phases"]) && (!have_states || json["bodies"].empty());
   json["same"] = step.same;
   json["read"] = "the chunks with this step; not the rest of the logs";
   json["states"] = have_states;
@@ -247,7 +247,7 @@ void print_text(const SideBySide& step, const Sides& sides) {
     values.add({"  " + cell(row["name"]), cell(row["a"]), cell(row["b"]), verdict(row)});
   }
   values.print();
-  for (const Json& part : json["not_compared"]) std::cout << "  not compared: " << cell(part) << '\n';
+  print_left_out(json, sides);
   if (const std::string note = json["note"]; !note.empty()) std::cout << '\n' << note << '\n';
   if (!json["phases"].empty()) {
     std::cout << '\n';

@@ -51,6 +51,7 @@ Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const r
   const Result<replay::DiffReport> report = replay::diff_logs(a, b, {}, progress);
   if (!report.ok()) return report.error();
   Json json = comparison_json(report->identical(), report->steps, report->first);
+  json["unequal"] = printable(report->unequal("A", "B"));
   json["state"] = "done";
   json["last"] = {report->last_a, report->last_b};
   json["notes"] = Json::array();

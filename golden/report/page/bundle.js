@@ -4058,19 +4058,20 @@ s.step),()=>e(s.step),"","step ".concat(s.step)));let o=lr(X("th",{scope:"row",t
 s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
 able",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},lr(...n.map(
 (s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Ad(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;
-let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(i.every_bit,"."):"The ".concat(i.steps," st\
-eps of both are the same; A ends with step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==
-null&&t.push("substep ".concat(e.substep)),"First difference: ".concat(t.join(", "))}function s0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.
-floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Ad(e);if(e.state==="failed")
-return i.replaceChildren(X("p",{className:"bad",textContent:r}));let o=[],a=e.first;if(!a)o.push(X("p",{className:"good",textContent:r})),o.push(X("p",{textContent:"\
-Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.
-push(X("p",{},X("strong",{textContent:r}))),e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=X("p",{});l.body!==null&&c.append(
-kn(t(l.body),()=>s(l.body)),", "),c.append("".concat(l.field,": ").concat(e0(l.expected,l.expected_hex)," \u2192 ").concat(e0(l.actual,l.actual_hex)));let d=l.ulps>
-Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),o.push(c);let u=X("button",{type:"button",
-className:"jump",textContent:"Go to the first difference"});u.addEventListener("click",()=>n(a.step)),o.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>
-0?o.push(X("ul",{className:"marks"},...h.map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(zn(f)," apart from "),kn("step ".concat(p),()=>n(p)),", ",
-kn(t(y),()=>s(y)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(t1(
-e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var n1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(i.every_bit,"."):n===s?"Different: ".concat(
+i.unequal,"; the ").concat(i.steps," steps of both are the same in all else that was compared."):"The ".concat(i.steps," steps of both are the same; A ends with\
+ step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==null&&t.push("substep ".concat(e.substep)),
+"First difference: ".concat(t.join(", "))}function s0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(
+X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Ad(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));
+let o=[],a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join("\
+, "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),
+e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=X("p",{});l.body!==null&&c.append(kn(t(l.body),()=>s(l.body)),", "),c.append(
+"".concat(l.field,": ").concat(e0(l.expected,l.expected_hex)," \u2192 ").concat(e0(l.actual,l.actual_hex)));let d=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(
+l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),o.push(c);let u=X("button",{type:"button",className:"jump",textContent:"Go to the\
+ first difference"});u.addEventListener("click",()=>n(a.step)),o.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>0?o.push(X("ul",{className:"marks"},...h.
+map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(zn(f)," apart from "),kn("step ".concat(p),()=>n(p)),", ",kn(t(y),()=>s(y)))))):e.growth_unknown&&o.
+push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(t1(e.partings,n))}for(let l of e.notes??[])o.
+push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var n1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
 fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, with Shift move; \
 zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function r0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].

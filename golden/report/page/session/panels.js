@@ -169,7 +169,8 @@ export function verdict_of(found) {
   const { first } = found;
   if (!first) {
     const [a, b] = found.last;
-    return found.identical ? `Identical: ${found.steps} steps, the same in ${found.every_bit}.`
+    if (found.identical) return `Identical: ${found.steps} steps, the same in ${found.every_bit}.`;
+    return a === b ? `Different: ${found.unequal}; the ${found.steps} steps of both are the same in all else that was compared.`
       : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.`;
   }
   const where = [`step ${first.step}`, `phase ${first.phase}`];
@@ -188,7 +189,7 @@ export function show_difference(body, found, label, go, select) {
   const parts = [];
   const first = found.first;
   if (!first) {
-    parts.push(element("p", { className: "good", textContent: verdict }));
+    parts.push(element("p", { className: found.identical ? "good" : "bad", textContent: verdict }));
     parts.push(element("p", { textContent: `Compared: ${(found.compared ?? []).join(", ")}.` }),
       element("p", { className: "soft", textContent: `Not compared: ${(found.not_compared ?? []).join("; ")}.` }));
   } else {
