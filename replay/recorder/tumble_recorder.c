@@ -1635,19 +1635,27 @@ TumbleRecStatus tumble_rec_mesh(TumbleRec* rec, uint64_t mesh_hash, const double
   return leave(rec, rec->status);
 }
 
+/* The start is all that was told so far; what comes next is of step 1. */
+static TumbleRecStatus end_start(TumbleRec* rec) {
+  TumbleRecStatus status;
+  if (rec->started) return TUMBLE_REC_OK;
+  status = end_frame(rec, kStart);
+  rec->started = 1;
+  if (rec->status == TUMBLE_REC_OK) begin_step_frame(rec);
+  return rec->status != TUMBLE_REC_OK ? rec->status : status;
+}
+
 /* An input of one body and some vectors. */
 static TumbleRecStatus input_of(TumbleRec* rec, int kind, const char* what, uint64_t id, const double* u,
                                 const double* v) {
-  TumbleRecStatus status;
+  TumbleRecStatus status, start;
   unsigned char* at;
   Body* body;
   const size_t size = 8 + (u != NULL ? 24u : 0u) + (v != NULL ? 24u : 0u);
   if (!enter(rec, &status)) return status;
   if (!may_input(rec, what) || (body = living(rec, id, what)) == NULL) return leave(rec, rec->status);
-  if (!rec->started)
-    return leave(rec,
-                 fail(rec, TUMBLE_REC_BAD_CALL, "found %s before the first step_begin, wanted bodies alone", what));
-  at = add(rec, kind, size, 0);
+  start = end_start(rec);
+  at = rec->status == TUMBLE_REC_OK ? add(rec, kind, size, 0) : NULL;
   if (at == NULL) return leave(rec, rec->status);
   put64(at, id);
   if (u != NULL) put_doubles(at + 8, u, 3);
@@ -1660,7 +1668,8 @@ static TumbleRecStatus input_of(TumbleRec* rec, int kind, const char* what, uint
     body->asleep = 0;
     ++rec->moving;
   }
-  return leave(rec, entry_done(rec, kind, at, size, rec->inputs_told++, 0, 0));
+  status = entry_done(rec, kind, at, size, rec->inputs_told++, 0, 0);
+  return leave(rec, status == TUMBLE_REC_OK ? start : status);
 }
 
 TumbleRecStatus tumble_rec_remove(TumbleRec* rec, uint64_t id) {
@@ -1709,17 +1718,14 @@ TumbleRecStatus tumble_rec_input(TumbleRec* rec, const char* name, uint64_t body
 /* ---- Steps. ---- */
 
 TumbleRecStatus tumble_rec_step_begin(TumbleRec* rec, double dt_s) {
-  TumbleRecStatus status, start = TUMBLE_REC_OK;
+  TumbleRecStatus status, start;
   if (!enter(rec, &status)) return status;
   if (rec->in_step)
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found step_begin twice, wanted step_end between"));
   if (!(dt_s >= 1e-7 && dt_s <= 1)) /* what a log can hold */
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a dt of %g s, wanted 1e-07 to 1 s", dt_s));
-  if (!rec->started) {
-    start = end_frame(rec, kStart);
-    rec->started = 1;
-    if (rec->status != TUMBLE_REC_OK || !begin_step_frame(rec)) return leave(rec, rec->status);
-  }
+  start = end_start(rec);
+  if (rec->status != TUMBLE_REC_OK) return leave(rec, rec->status);
   put_double(rec->frame.at + kFrameBytes + 8, dt_s);
   rec->in_step = 1;
   rec->moving_told = rec->woken = rec->slept = 0;

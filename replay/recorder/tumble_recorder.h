@@ -154,7 +154,8 @@ typedef struct TumbleRecDef {
 /* NULL only without memory. */
 TumbleRec* tumble_rec_create(const TumbleRecDef* def);
 
-/* Inputs of the coming step: between steps. A body before the first step belongs to the start. */
+/* Inputs of the coming step: between steps. A body before the first step belongs to the start, unless a push, a removal
+ * or a velocity came before it. */
 TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body);
 /* The surface of the bodies with this mesh_hash, to draw them: points x y z in the body's axes around its centre of
  * mass; triangles: three places of points each, none for a hull. Told once, at any time before or after them. */

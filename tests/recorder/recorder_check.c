@@ -282,6 +282,32 @@ static void refuses_misuse(void) {
   check(tumble_rec_close(NULL) == TUMBLE_REC_OK && tumble_rec_step_end(NULL) == TUMBLE_REC_BAD_CALL, "NULL", NULL);
 }
 
+/* An engine's loop that pushes, then steps: the first push comes before any step. */
+static void takes_a_push_before_the_first_step(void) {
+  TumbleRecDef def = definition();
+  const TumbleRecBody body = cube(1, 1, kNone);
+  double impulse[3] = {0, 0, 1};
+  int round;
+  for (round = 0; round < 3; ++round) {
+    TumbleRec* rec;
+    def.path = round == 0 ? "pushed.tumblestream" : NULL;
+    def.verify = round == 0 ? NULL : "pushed.tumblestream";
+    impulse[2] = round < 2 ? 1 : 2;
+    rec = tumble_rec_create(&def);
+    tumble_rec_body(rec, &body);
+    check(tumble_rec_push(rec, 1, impulse) == (round < 2 ? TUMBLE_REC_OK : TUMBLE_REC_DIFFERENT), "a push at once",
+          tumble_rec_message(rec));
+    tumble_rec_step_begin(rec, 0.5);
+    tumble_rec_state(rec, 1, &body.state);
+    tumble_rec_step_end(rec);
+    if (round == 2) {
+      const TumbleRecDifference* found = tumble_rec_difference(rec);
+      check(found != NULL && found->step == 1 && strcmp(found->part, "input") == 0, "the push differs", NULL);
+    }
+    check(tumble_rec_close(rec) == (round < 2 ? TUMBLE_REC_OK : TUMBLE_REC_DIFFERENT), "a push at once", NULL);
+  }
+}
+
 #if defined(__unix__) || defined(__APPLE__)
 static void fall_to(TumbleRec* rec, double height) {
   const TumbleRecState state = cube(1, height, kNone).state;
@@ -337,6 +363,7 @@ int main(void) {
   keeps_a_ring();
   rewinds();
   refuses_misuse();
+  takes_a_push_before_the_first_step();
   shares_no_file();
   printf("recorder_check: %d failures\n", failures);
   return failures;
