@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "replay/diff/channel_difference.h"
-#include "replay/diff/only_in_one.h"
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"

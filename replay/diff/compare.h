@@ -24,16 +24,6 @@ enum class Reading : std::uint8_t {
 /// A comparison that ends before the logs do.
 inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 
-/// Data that one of two logs of one engine has in its header and the other lacks: "channel knee", "phase hashes of
-/// solve". Nothing compared it.
-struct OnlyInOne {
-  std::vector<std::string> a;  ///< of the first log
-  std::vector<std::string> b;  ///< of the second
-  [[nodiscard]] bool empty() const { return a.empty() && b.empty(); }
-  /// "only before.tumble has channel knee"; empty where nothing is missing.
-  [[nodiscard]] std::string text(const std::string& name_a, const std::string& name_b) const;
-};
-
 struct DiffReport {
   std::uint64_t from = 0;                 ///< the first state that both logs have
   std::uint64_t steps = 0;                ///< after it, that both logs hold; compared, or equal by their chains

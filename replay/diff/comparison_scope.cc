@@ -83,7 +83,7 @@ class Scope {
     }
     compare("counters");
     if (facts_.same_words) {
-      if (!facts_.imported) add_phase_hashes(a_, b_, {facts_.from, facts_.last}, scope_);
+      if (!facts_.imported || !a.phases.empty()) add_phase_hashes(a_, b_, {facts_.from, facts_.last}, scope_);
     } else if (a.phases != b.phases) {
       leave_out("phase hashes and contact counts: the phases have not the same names");
     } else if (a.phase_hash_version == b.phase_hash_version) {

@@ -5,6 +5,7 @@
 
 #include "replay/session/state_source.h"
 #include "src/base/check.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -92,6 +93,23 @@ DifferenceReport report_replay_difference(LogReader& log, LogReader* again, Dive
     report.growth_unknown = growth.error().message;
   }
   return report;
+}
+
+std::string DiffReport::though() const {
+  const auto acting = std::ranges::count_if(headers, &HeaderDifference::acts);
+  if (first || acting == 0) return "";
+  return "though the headers differ in " + count_text(static_cast<std::uint64_t>(acting), "value") +
+         " that a step depends on: see the header lines";
+}
+
+std::string DiffReport::unequal(const std::string& name_a, const std::string& name_b) const {
+  if (first) return "";
+  std::string text;
+  if (last_a != last_b) {
+    text = "another number of steps, " + std::to_string(last_a) + " and " + std::to_string(last_b);
+  }
+  const std::string parts = only_in.text(name_a, name_b);
+  return text + (text.empty() || parts.empty() ? "" : "; ") + parts;
 }
 
 }  // namespace tumble::replay

@@ -198,6 +198,28 @@ std::uint64_t bits_of_engine(const LogHeader& header) {
   return header.engine ? header.engine->precision_bits : kBinary64Bits;
 }
 
+/// What `one` declares and `other` does not.
+std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
+  std::vector<std::string> parts;
+  for (const Channel& channel : one.declared.channels) {
+    const std::vector<Channel>& there = other.declared.channels;
+    if (other.declared.find(channel.name) == there.size()) parts.push_back("channel " + channel.name);
+  }
+  if (!one.engine || !other.engine) return parts;  // phases of ours change with the version of their hashes
+  for (const std::string& phase : one.phases) {
+    if (std::ranges::find(other.phases, phase) == other.phases.end()) parts.push_back("phase hashes of " + phase);
+  }
+  return parts;
+}
+
+void say(const std::vector<std::string>& parts, const std::string& name, std::string& text) {
+  if (parts.empty()) return;
+  constexpr std::size_t kShown = 6;
+  text += (text.empty() ? "only " : "; only ") + name + " has ";
+  for (std::size_t i = 0; i < std::min(kShown, parts.size()); ++i) text += (i == 0 ? "" : ", ") + parts[i];
+  if (parts.size() > kShown) text += " and " + std::to_string(parts.size() - kShown) + " more";
+}
+
 }  // namespace
 
 std::string describe(const HeaderDifference& difference) {
@@ -246,6 +268,15 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
 const HeaderDifference* first_cause(const std::vector<HeaderDifference>& differences) {
   const auto first = std::ranges::find_if(differences, [](const HeaderDifference& d) { return d.acts && !d.excused; });
   return first == differences.end() ? nullptr : &*first;
+}
+
+OnlyInOne only_in_one(const LogHeader& a, const LogHeader& b) { return {lacking(a, b), lacking(b, a)}; }
+
+std::string OnlyInOne::text(const std::string& name_a, const std::string& name_b) const {
+  std::string words;
+  say(a, name_a, words);
+  say(b, name_b, words);
+  return words;
 }
 
 }  // namespace tumble::replay

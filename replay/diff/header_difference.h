@@ -36,4 +36,18 @@ std::vector<HeaderDifference> scene_differences(const sim::SceneDef& a, const si
 /// The first difference that a step may depend on and that no tolerance excuses; null without one.
 const HeaderDifference* first_cause(const std::vector<HeaderDifference>& differences);
 
+/// Data that one of two logs of one engine has in its header and the other lacks: "channel knee", "phase hashes of
+/// solve". Nothing compared it.
+struct OnlyInOne {
+  std::vector<std::string> a;  ///< of the first log
+  std::vector<std::string> b;  ///< of the second
+  [[nodiscard]] bool empty() const { return a.empty() && b.empty(); }
+  /// "only before.tumble has channel knee"; empty where nothing is missing.
+  [[nodiscard]] std::string text(const std::string& name_a, const std::string& name_b) const;
+};
+
+/// Channels, and phases with hashes of another engine, that one of two logs declares and the other does not. Both are
+/// logs of one engine.
+OnlyInOne only_in_one(const LogHeader& a, const LogHeader& b);
+
 }  // namespace tumble::replay

@@ -15,8 +15,10 @@ command -v "$compiler" >/dev/null || {
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
-"$compiler" -std=c99 -pedantic -Wall -Wextra -Werror -O2 -I "$root/replay/recorder" \
-  "$root/tests/recorder/recorder_check.c" "$root/replay/recorder/tumble_recorder.c" -o recorder_check.exe || exit 1
+for program in recorder_check recorder_share; do
+  "$compiler" -std=c99 -pedantic -Wall -Wextra -Werror -O2 -I "$root/replay/recorder" \
+    "$root/tests/recorder/$program.c" "$root/replay/recorder/tumble_recorder.c" -o "$program.exe" || exit 1
+done
 case $compiler in
   *mingw*)
     command -v wine >/dev/null || {
@@ -24,7 +26,7 @@ case $compiler in
       exit 77
     }
     export WINEPREFIX=$folder/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
-    wine ./recorder_check.exe 2>/dev/null || exit 1
+    wine ./recorder_check.exe 2>/dev/null && wine ./recorder_share.exe 2>/dev/null || exit 1
     ;;
-  *) ./recorder_check.exe || exit 1 ;;
+  *) ./recorder_check.exe && ./recorder_share.exe || exit 1 ;;
 esac

@@ -10,7 +10,6 @@
 
 #include "replay/arrays/pair_cell.h"
 #include "replay/diff/channel_difference.h"
-#include "replay/diff/only_in_one.h"
 
 namespace tumble::tools {
 namespace {

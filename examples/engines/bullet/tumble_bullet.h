@@ -47,16 +47,17 @@ class BulletRecorder {
     return state;
   }
   void tell(const btPersistentManifold& m) {
+    if (m.getNumContacts() == 0) return;  // before its bodies are looked at, which are in no cache
     const uint64_t a = id_of(m.getBody0()), b = id_of(m.getBody1());
     const double sign = a == 0 ? 1 : -1;  // Bullet's normal points from body 1 to body 0
-    TumbleRecPoint points[4] = {};
+    TumbleRecPoint points[4];
     TumbleRecContact contact = {a == 0 ? b : a, a == 0 ? a : b, 0, {0, 0, 0}, points, 0};
     for (int k = 0; k < m.getNumContacts() && k < 4; ++k) {
       const btManifoldPoint& p = m.getContactPoint(k);
       copy(sign * p.m_normalWorldOnB, contact.normal), copy(p.getPositionWorldOnB(), points[k].position);
       points[contact.point_count++].depth = -p.getDistance(), points[k].impulse = p.getAppliedImpulse();
     }
-    if (contact.point_count > 0) tumble_rec_contact(rec, &contact);
+    tumble_rec_contact(rec, &contact);
   }
   btDiscreteDynamicsWorld& world_;
   int last_id_ = 0;
