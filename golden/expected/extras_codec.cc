@@ -86,10 +86,9 @@ Status decode(schema::Expected::Reader in, std::uint64_t steps, std::optional<Ex
     channels.push_back(found.channels.back().channel);
   }
   if (Status ok = replay::check_channels(channels); !ok.ok()) return damaged("channels: " + ok.error().message);
-  const std::uint64_t contacts = in.getContactHash().size() == 0 ? 0 : steps + 1;
-  if (Status ok = replay::get_planes("contactHash", in.getContactHash(), contacts, found.contact_hashes); !ok.ok()) {
-    return ok;
-  }
+  const auto hashes = in.getContactHash();  // once: a message may be read as often as it is long
+  const std::uint64_t contacts = hashes.size() == 0 ? 0 : steps + 1;
+  if (Status ok = replay::get_planes("contactHash", hashes, contacts, found.contact_hashes); !ok.ok()) return ok;
   extras = std::move(found);
   return {};
 }

@@ -218,5 +218,19 @@ TEST(EngineBisect, AsksForABoundOnAChannelAndForTheTimeOfParting) {
   EXPECT_EQ(parting["after"]["metric"], 0.5) << "32 steps of 1/64 s";
 }
 
+// Its golden has a hash of contacts a step, which fit into the reader's slack up to 128 steps.
+TEST(EngineChannels, AGoldenOfManyStepsIsReadBack) {
+  const Workshop shop;
+  write_falling(shop, "--steps 300");
+  shop.write("golden/cases/fall/scene.txt", "two boxes\n");
+  shop.write("golden/cases/fall/metrics.toml",
+             "require = [\"exact\"]\n[engine]\ncategory = \"fall\"\nscene = \"scene.txt\"\n[[metric]]\nname = "
+             "\"lost\"\nmax = 0\nwhy = \"they stay\"\n");
+  const Outcome blessed = shop.run({"bless", "fall", "--suite", "golden", "--reason", "a test"});
+  ASSERT_EQ(blessed.exit, 0) << blessed.err;
+  const Outcome checked = shop.run({"check", "--suite", "golden", "--report", "r"});
+  EXPECT_EQ(checked.exit, 0) << checked.out;
+}
+
 }  // namespace
 }  // namespace tumble::test
