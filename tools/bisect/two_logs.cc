@@ -52,7 +52,7 @@ Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b
   } else {
     const Sides sides = sides_of(path_a, path_b);
     std::cout << (report.identical() ? "identical: "
-                                     : "different in " + printable(report.unequal(sides.expected, sides.actual)) +
+                                     : "different: " + printable(report.unequal(sides.expected, sides.actual)) +
                                            "; the same in all else that was compared: ")
               << count_text(report.steps, "step") << '\n';
     if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
