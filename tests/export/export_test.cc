@@ -92,13 +92,26 @@ void record_busy(const Workshop& shop) {
   shop.write("damaged.tumble", log);
 }
 
-/// The example of docs/exporting.md.
+/// The example of the documents and of --help.
 TEST(Export, TheThrownCubeOfTheDocuments) {
   const Workshop shop;
   ASSERT_EQ(shop.run({"record", "brick_wall", "--steps", "20", "-o", "brick_wall.tumble"}).exit, 0);
-  const Outcome run =
-      shop.run({"export", "brick_wall.tumble", "-o", "ball.csv", "--bodies", "9000", "--steps", "0:20"});
-  EXPECT_EQ(run.exit, 0) << run.err;
+  const auto document = [](const char* name) {
+    std::ostringstream text;
+    text << std::ifstream(std::filesystem::path(TUMBLE_SOURCE_DIR) / "docs" / name).rdbuf();
+    return text.str();
+  };
+  const std::string words = "brick_wall.tumble -o ball.csv --bodies ";
+  for (const std::string& text :
+       {document("exporting.md"), document("commands.md"), shop.run({"export", "--help"}).out}) {
+    const std::size_t at = text.find(words);
+    ASSERT_NE(at, std::string::npos) << text.substr(0, 300);
+    const std::size_t body = at + words.size();
+    const std::string bodies = text.substr(body, text.find(' ', body) - body);
+    const Outcome run =
+        shop.run({"export", "brick_wall.tumble", "-o", "ball.csv", "--bodies", bodies, "--steps", "0:20"});
+    EXPECT_EQ(run.exit, 0) << run.err;
+  }
 }
 
 TEST(Export, OfADamagedLogSaysWhatCanBeExported) {

@@ -167,6 +167,7 @@ TEST_F(Merge, NamesEveryShardThatIsDamaged) {
   edit(11, [](Manifest& m) { m.files.clear(); });
   edit(12, [](Manifest& m) { m.shard = 13; });
   edit(14, [](Manifest& m) { m.shard = 0; });
+  edit(16, [](Manifest& m) { m.files.push_back({"cases/another/actual.tumble", 0, ""}); });
   fs::rename(shard(15), root_ / "moved");
   fs::create_directory(shard(15));
   fs::create_symlink(root_ / "moved" / kBundleFile, shard(15) / kBundleFile);
@@ -183,7 +184,15 @@ TEST_F(Merge, NamesEveryShardThatIsDamaged) {
                 shard(10).string() + ": shard 10 of 20: names the file \"index.html\"",
                 shard(11).string() + ": shard 11 of 20: does not name its report.json",
                 "shard 13 of 20: is there twice", shard(14).string() + "/bundle.json: damaged: found shard 0 of 20",
-                shard(15).string() + "/bundle.json: is a link"});
+                shard(15).string() + "/bundle.json: is a link",
+                shard(16).string() + ": shard 16 of 20: names the file \"cases/another/actual.tumble\""});
+}
+
+TEST_F(Merge, NamesASelectionOfOtherCases) {
+  for (std::size_t k = 1; k <= kShards; ++k) {
+    edit(k, [](Manifest& m) { m.facts.selected_hash = std::string(32, '4'); });
+  }
+  expect_error(ErrorKind::kDamaged, {"have 200 cases that are not the 200 selected ones"});
 }
 
 TEST_F(Merge, NamesTheArtifactThatIsDamaged) {
@@ -199,6 +208,9 @@ TEST_F(Merge, NamesTheArtifactThatIsDamaged) {
 }
 
 TEST_F(Merge, NamesTheReportThatNoCheckWrote) {
+  edit_report(3, [](Json& report) { report["cases"][0]["name"] = "another"; });
+  expect_error(ErrorKind::kDamaged,
+               {(shard(3) / kReportFile).string(), "its cases are not those that bundle.json names"});
   edit_report(3, [](Json& report) { report["cases"].erase(0); });
   expect_error(ErrorKind::kDamaged,
                {(shard(3) / kReportFile).string(), "its cases are not those that bundle.json names"});
@@ -238,6 +250,20 @@ TEST_F(Merge, TakesShardsWithoutACase) {
   ASSERT_TRUE(merged.ok()) << merged.error().message;
   EXPECT_TRUE(merged->passed());
   EXPECT_EQ(headline(*merged), "1 case passed: 1 unchanged");
+}
+
+TEST(Shards, KnowTheSuiteByItsFiles) {
+  const TemporarySuite suite;
+  suite.add("one");
+  const auto hash = [&suite] { return suite_hash(*open_suite(suite.root())); };
+  const std::string before = hash();
+  EXPECT_EQ(hash(), before);
+  suite.edit("one", kSceneFile, "steps = 30", "steps = 31");
+  EXPECT_NE(hash(), before) << "the content of a file";
+  suite.edit("one", kSceneFile, "steps = 31", "steps = 30");
+  EXPECT_EQ(hash(), before);
+  suite.write(suite.file("one", "more.txt"), "");
+  EXPECT_NE(hash(), before) << "a file more";
 }
 
 TEST(Shards, StayWhenCasesComeAndGo) {

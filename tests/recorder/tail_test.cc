@@ -8,6 +8,8 @@
 #include <iterator>
 #include <string>
 
+#include "replay/format/little_endian.h"
+#include "replay/stream/stream_format.h"
 #include "replay/stream/stream_tail.h"
 #include "tests/recorder/recorded.h"
 #include "tests/support/program.h"
@@ -51,6 +53,17 @@ class Tail : public testing::Test {
     return stream->steps().empty() ? 0 : stream->steps().back().step;
   }
 
+  /// Records three bodies again, against the stream and its tail.
+  void verify_steps(std::uint64_t steps) const {
+    TumbleRecDef def = {};
+    def.engine = "test engine";
+    def.precision_bits = 24, def.gravity[2] = -10;
+    def.verify = path_.c_str();
+    (void)record(
+        3, steps, [&](TumbleRec* end) { EXPECT_EQ(tumble_rec_steps_verified(end), steps) << tumble_rec_message(end); },
+        [&](TumbleRecDef& to) { to = def; });
+  }
+
   Workshop shop_;
   std::string path_ = shop_.path("run.tumblestream");
   std::string tail_ = path_ + replay::kStreamTailSuffix;
@@ -63,15 +76,7 @@ TEST_F(Tail, HasTheLastStepsOfAProcessThatDied) {
   EXPECT_EQ(imported.exit, 0) << imported.err;
   EXPECT_NE(imported.out.find("\"steps\": 12"), std::string::npos) << imported.out;
   EXPECT_NE(imported.err.find("stopped after step 12"), std::string::npos) << imported.err;
-
-  TumbleRecDef def = {};  // verify mode reads it too
-  def.engine = "test engine";
-  def.precision_bits = 24, def.gravity[2] = -10;
-  def.verify = path_.c_str();
-  TumbleRec* rec = nullptr;
-  (void)record(
-      3, 12, [&](TumbleRec* end) { EXPECT_EQ(tumble_rec_steps_verified(rec = end), 12U) << tumble_rec_message(end); },
-      [&](TumbleRecDef& to) { to = def; });
+  verify_steps(12);  // verify mode reads it too
 
   std::filesystem::rename(tail_, shop_.path("elsewhere"));
   const Outcome alone = shop_.run({"import", "run.tumblestream"});
@@ -107,6 +112,19 @@ TEST_F(Tail, OfAnEarlierStreamIsNotMixedIn) {
 TEST_F(Tail, TakesFramesLargerThanItself) {
   record_and_die(25000, 3);  // 1.5 MB a step
   EXPECT_EQ(last_step(bytes_of(tail_)), 3U);
+}
+
+/// A recorder that is killed between writing its file and emptying its tail.
+TEST_F(Tail, MayHoldFramesThatTheFileHasToo) {
+  record_and_die(3, 12);
+  const StreamBytes tail = bytes_of(tail_);
+  const std::span first = std::span(tail).subspan(replay::kStreamTailHeadBytes);
+  const auto size = replay::kStreamFrameHeadBytes + replay::load<std::uint32_t>(first.data() + 4);
+  std::ofstream file(path_, std::ios::binary | std::ios::app);
+  file.write(reinterpret_cast<const char*>(first.data()), static_cast<std::streamsize>(size));
+  file.close();
+  EXPECT_EQ(last_step(tail), 12U);
+  verify_steps(12);
 }
 
 TEST_F(Tail, DamagedAnywhereCostsStepsAndNothingElse) {

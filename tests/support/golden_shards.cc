@@ -107,6 +107,7 @@ void MadeShards::edit_report(std::size_t k, const std::function<void(Json& repor
 }
 
 void MadeShards::expect_error(ErrorKind kind, const std::vector<std::string>& parts) {
+  write(out() / kBundleFile, "{}\n");  // of an earlier merge
   const Result<SuiteResult> result = merge();
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, kind) << result.error().message;

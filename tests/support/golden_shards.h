@@ -40,7 +40,7 @@ class MadeShards : public testing::Test {
   void edit(std::size_t k, const std::function<void(Manifest& manifest)>& change);
   /// Changes report.json, and the manifest with it.
   void edit_report(std::size_t k, const std::function<void(Json& report)>& change);
-  /// The merge fails so, its message has all parts, and it leaves no bundle.
+  /// The merge fails so, its message has all parts, and it leaves no bundle, not even an earlier one.
   void expect_error(ErrorKind kind, const std::vector<std::string>& parts);
 
   static void write(const std::filesystem::path& path, const std::string& text);

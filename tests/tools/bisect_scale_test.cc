@@ -47,8 +47,10 @@ TEST(BisectScale, AsksSeveralAtOnceAndDecidesAlike) {
   const HistoryPlan plan{.commits = 40, .fault = 27, .broken = {19, 20, 21}};
   const History history(shop, plan);
   const ordered_json one = found(history, plan, history.bisect(with({"--jobs", "1"})));
+  const std::ptrdiff_t needed = builds(shop);
   const ordered_json three = found(history, plan, history.bisect(with({"--jobs", "3"})));
   EXPECT_EQ(tested(one), tested(three));
+  EXPECT_GT(builds(shop) - needed, needed) << "revisions that may be next are asked beside the one that is";
   EXPECT_EQ(one["sessions"], three["sessions"]);
 }
 
@@ -57,15 +59,17 @@ TEST(BisectScale, KeepsBuildsByCommit) {
   const HistoryPlan plan{.commits = 20, .fault = 14, .broken = {}};
   const History history(shop, plan);
   found(history, plan,
-        history.bisect_by(
-            with({"--good", history.commit(1), "--bad", "main", "--program", "bin/whole", "--cache", "kept"})));
+        history.bisect_by(with({"--good", history.commit(1), "--bad", "main", "--program", "bin/whole", "--cache",
+                                "kept", "--jobs", "1"})));
   const std::ptrdiff_t first = builds(shop);
   EXPECT_GE(first, 6);
-  const auto again = [&] {
+  const auto again = [&](const char* jobs) {
     return history.bisect_by(with(
-        {"--good", history.commit(1), "--bad", "main", "--program", "bin/whole", "--cache", "kept", "--jobs", "2"}));
+        {"--good", history.commit(1), "--bad", "main", "--program", "bin/whole", "--cache", "kept", "--jobs", jobs}));
   };
-  const ordered_json json = found(history, plan, again());
+  found(history, plan, again("1"));
+  EXPECT_EQ(builds(shop), first) << "all were kept";
+  const ordered_json json = found(history, plan, again("2"));
   EXPECT_EQ(json["before"]["commit"], history.commit(plan.fault - 1));
   const std::ptrdiff_t guesses = builds(shop) - first;
   EXPECT_LE(guesses, 6) << "only those are built that were not asked before";
@@ -73,7 +77,7 @@ TEST(BisectScale, KeepsBuildsByCommit) {
   for (const std::filesystem::directory_entry& one : std::filesystem::directory_iterator(shop.path("kept"))) {
     std::ofstream(one.path() / "program", std::ios::app) << "exit 3\n";
   }
-  found(history, plan, again());
+  found(history, plan, again("2"));
   EXPECT_GE(builds(shop) - first - guesses, 6);
 }
 
@@ -86,11 +90,13 @@ TEST(BisectScale, KeepsNoMoreThanItMay) {
     return std::distance(begin(all), end(all));
   };
   const auto search = [&](const std::string& gb) {
-    found(history, plan,
-          history.bisect_by(with({"--good", history.commit(1), "--bad", "main", "--program", "bin/whole", "--cache",
-                                  "kept", "--cache-size", gb})));
+    return tested(found(history, plan,
+                        history.bisect_by(with({"--good", history.commit(1), "--bad", "main", "--program", "bin/whole",
+                                                "--cache", "kept", "--cache-size", gb, "--jobs", "1"}))));
   };
-  search("0.0000025");  // 2.5 kB, and each program has about 1
+  const std::vector<std::string> asked = search("0.0000025");  // 2.5 kB, and each program has about 1
+  EXPECT_EQ(shop.names_with("-" + asked.front()), std::vector<std::string>()) << "the one used longest ago goes";
+  EXPECT_FALSE(shop.names_with("-" + asked.back()).empty()) << "the last one stays";
   EXPECT_GE(kept(), 1);
   EXPECT_LE(kept(), 4);
   EXPECT_EQ(history.bisect_by(with({"--auto", "--cache", "kept", "--run", "engine {log}"})).exit, 2);

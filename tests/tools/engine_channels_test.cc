@@ -129,6 +129,30 @@ TEST(EngineCaseChannels, AChannelThatIsGoneFailsWhateverIsRequired) {
       << gone.out;
 }
 
+TEST(EngineCaseChannels, AChannelOfAnotherTypeFailsWhateverIsRequired) {
+  const Workshop shop;
+  const auto write_session = [&shop](const std::string& cell) {
+    shop.write("now.csv",
+               "# engine: mine\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,"
+               "orientation.x,orientation.y,orientation.z,channel.hinge\n0,1,0,0,1,1,0,0,0,0.5\n"
+               "1,1,0,0,1,1,0,0,0," +
+                   cell + "\n");
+  };
+  shop.write("tumble.toml", "[engine]\nrun = 'cp now.csv {log}'\n");
+  shop.write("golden/cases/fall/level.txt", "one box\n");
+  shop.write("golden/cases/fall/metrics.toml",
+             "[engine]\nfiles = [\"level.txt\"]\n[[metric]]\nname = \"lateral_max\"\nmax = 5\nwhy = \"a test\"\n");
+  write_session("0.25");
+  const Outcome blessed = shop.run({"bless", "fall", "--reason", "a test"});
+  ASSERT_EQ(blessed.exit, 0) << blessed.err;
+  EXPECT_EQ(shop.run({"check", "--require", "behaviour"}).exit, 0);
+  write_session("N/A");
+  const Outcome other = shop.run({"check", "--require", "behaviour", "--report", "r"});
+  EXPECT_EQ(other.exit, 1) << other.out;
+  EXPECT_TRUE(says(other.out, "channel.hinge: expected float64 of scope body, actual text of scope body; bless"))
+      << other.out;
+}
+
 TEST(EngineCaseChannels, TheLineThatReproducesLeavesALogOfATableToo) {
   for (const std::string options : {"--angle 12:0.25", "--table --angle 12:0.25"}) {
     const Workshop shop;

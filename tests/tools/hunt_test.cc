@@ -229,6 +229,7 @@ TEST(HuntEngine, MayRefuseAScene) {
   const Outcome run = shop.run({"hunt", "--engine", "--count", "3", "--json"});
   EXPECT_EQ(run.exit, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out).at("no_scenes"), 3);
+  EXPECT_TRUE(says(shop.run({"hunt", "--engine", "--count", "3"}).out, "nothing was judged: no relation"));
   // Any other end is a finding.
   shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'exit 5 {log}'\n[engine.claims]\nfinishes = true\n");
   const Outcome fails = shop.run({"hunt", "--engine", "--count", "3", "--unshrunk"});

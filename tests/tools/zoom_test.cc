@@ -143,20 +143,22 @@ TEST(Groups, NameTheOddLogOfMany) {
   EXPECT_EQ(parsed(shorter)["undecided"], ordered_json({"short.tumble"})) << shorter.out;
 }
 
-// c has no channel, so it agrees with both a and b, which differ in theirs: it decides nothing.
+// c and d have no channel, so they agree with both a and b, which differ in theirs: they decide nothing.
 TEST(Groups, ALogWithoutAChannelDecidesNothing) {
   const Workshop shop;
-  const auto import = [&](const std::string& name, const std::string& head, const std::string& cell) {
+  const auto import = [&](const std::string& name, const std::string& head, const std::string& cell,
+                          const std::string& more = "") {
     const std::string columns =
         "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z";
     shop.write(name + ".csv", "# engine: mine\n# dt: 0.1\n" + columns + head + "\n0,1,0,0,1,1,0,0,0" + cell +
-                                  "\n1,1,0,0,1,1,0,0,0" + cell + "\n");
+                                  "\n1,1,0,0,1,1,0,0,0" + cell + "\n" + more);
     const Outcome outcome = shop.run({"import", name + ".csv", "-o", name + ".tumble"});
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
   };
   import("a", ",channel.hinge", ",0.5");
   import("b", ",channel.hinge", ",0.25");
   import("c", "", "");
+  import("d", "", "", "2,1,0,0,1,1,0,0,0\n");  // the longest, so that it stands for its group
   for (const std::vector<std::string>& order : {std::vector<std::string>{"c.tumble", "a.tumble", "b.tumble"},
                                                 std::vector<std::string>{"a.tumble", "c.tumble", "b.tumble"},
                                                 std::vector<std::string>{"b.tumble", "a.tumble", "c.tumble"}}) {
@@ -167,6 +169,9 @@ TEST(Groups, ALogWithoutAChannelDecidesNothing) {
     EXPECT_EQ(json["has_majority"], false) << json;
     EXPECT_EQ(json["undecided"], ordered_json({"c.tumble"})) << json;
   }
+  const Outcome longer = shop.run({"diff", "d.tumble", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(parsed(longer)["groups"].size(), 2U) << longer.out;
+  EXPECT_EQ(parsed(longer)["undecided"], ordered_json({"d.tumble"})) << longer.out;
   const Outcome excused = shop.run({"diff", "a.tumble", "c.tumble", "--tolerance", "hinge=1"});
   EXPECT_EQ(excused.exit, 2) << excused.out;
   EXPECT_TRUE(says(excused.err, "found no such channel of numbers in c.tumble")) << excused.err;

@@ -74,7 +74,10 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   std::cout << "\n\n";
   print_tallies(state.relations, state.engine.empty() ? nullptr : &state.claimed);
   for (const hunt::Group& group : hunt::grouped(state.findings)) print_group(group, folder);
-  if (state.findings.empty()) std::cout << "\nno scene broke a relation that it was judged by\n";
+  if (!state.findings.empty()) return;
+  const bool judged = std::ranges::any_of(state.relations, [](const auto& row) { return row.second.held > 0; });
+  std::cout << (judged ? "\nno scene broke a relation that it was judged by\n"
+                       : "\nnothing was judged: no relation or law could be asked of any scene\n");
 }
 
 void print_corpus(const hunt::CorpusResult& result) {

@@ -30,6 +30,7 @@ function gitlabErrors(text) {
 
 for (const [file, errors, right, wrong] of [
   ["docs/ci/github.yml", githubErrors, "runs-on:", "runs_on:"],
+  ["docs/ci/github_shards.yml", githubErrors, "matrix:", "matrices:"],
   ["docs/ci/gitlab.yml", gitlabErrors, "when: always", "when: sometimes"],
 ]) {
   test(`${file} fits the published schema`, () => {
