@@ -19,22 +19,22 @@ int decade_of(const Judgement& judgement) {
   return times >= 1e9 ? 9 : static_cast<int>(std::floor(std::log10(std::max(times, 1.0))));
 }
 
-std::vector<Group> grouped(const std::vector<Finding>& findings) {
-  std::map<std::tuple<std::string, std::string, int>, Group> groups;
+std::vector<FindingGroup> grouped(const std::vector<Finding>& findings) {
+  std::map<std::tuple<std::string, std::string, int>, FindingGroup> groups;
   for (const Finding& one : findings) {
     const int decade = decade_of(one.judgement);
-    Group& group = groups[{one.relation, one.judgement.phase, decade}];
+    FindingGroup& group = groups[{one.relation, one.judgement.phase, decade}];
     group.relation = one.relation;
     group.phase = one.judgement.phase;
     group.decade = decade;
     group.findings.push_back(&one);
   }
-  std::vector<Group> out;
+  std::vector<FindingGroup> out;
   for (auto& [key, group] : groups) {
     std::ranges::sort(group.findings, {}, [](const Finding* one) { return std::pair(!one->shrunk(), one->number); });
     out.push_back(std::move(group));
   }
-  std::ranges::stable_sort(out, std::greater{}, [](const Group& group) { return group.findings.size(); });
+  std::ranges::stable_sort(out, std::greater{}, [](const FindingGroup& group) { return group.findings.size(); });
   return out;
 }
 

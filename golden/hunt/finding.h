@@ -35,13 +35,13 @@ std::string name_of(const Finding& finding);
 int decade_of(const Judgement& judgement);
 
 /// Findings of one relation, phase and size.
-struct Group {
+struct FindingGroup {
   std::string relation, phase;
   int decade = 0;
   std::vector<const Finding*> findings;  ///< by number; shrunk ones first
 };
 /// The largest first. `findings` must outlive the groups.
-std::vector<Group> grouped(const std::vector<Finding>& findings);
+std::vector<FindingGroup> grouped(const std::vector<Finding>& findings);
 
 Json to_json(const Judgement& judgement);
 /// Of a broken relation. Throws Json::exception where a key is missing.

@@ -158,7 +158,7 @@ TEST(HuntScenes, ASceneThatEndsTheProgramStaysAFinding) {
 TEST(HuntFindings, AreGroupedByRelationPhaseAndSize) {
   const std::vector<hunt::Finding> all = {finding("overlap", 9, 2), finding("energy", 1, 2), finding("overlap", 3, 5),
                                           finding("overlap", 4, 5000)};
-  const std::vector<hunt::Group> groups = hunt::grouped(all);
+  const std::vector<hunt::FindingGroup> groups = hunt::grouped(all);
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(groups[0].findings.size(), 2U);
   EXPECT_EQ(groups[0].findings[0]->number, 3U);

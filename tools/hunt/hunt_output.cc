@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::size_t kNumbersShown = 8;
 
-std::string size_text(const hunt::Group& group) {
+std::string size_text(const hunt::FindingGroup& group) {
   return group.decade == 0 ? "" : ", beyond its bound 10^" + std::to_string(group.decade) + " times or more";
 }
 
-void print_group(const hunt::Group& group, const std::string& folder) {
+void print_group(const hunt::FindingGroup& group, const std::string& folder) {
   std::cout << "\n"
             << group.relation << (group.phase.empty() ? "" : ", phase " + group.phase) << size_text(group) << ": "
             << count_text(group.findings.size(), "scene") << '\n';
@@ -73,7 +73,7 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   }
   std::cout << "\n\n";
   print_tallies(state.relations, state.engine.empty() ? nullptr : &state.claimed);
-  for (const hunt::Group& group : hunt::grouped(state.findings)) print_group(group, folder);
+  for (const hunt::FindingGroup& group : hunt::grouped(state.findings)) print_group(group, folder);
   if (!state.findings.empty()) return;
   const bool judged = std::ranges::any_of(state.relations, [](const auto& row) { return row.second.held > 0; });
   std::cout << (judged ? "\nno scene broke a relation that it was judged by\n"

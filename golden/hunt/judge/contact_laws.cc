@@ -151,7 +151,7 @@ Judgement judge_overlap(const Trace& trace) {
   for (std::size_t k = 0; k < trace.steps.size(); ++k) {
     std::map<Meeting, double> now;
     std::set<sim::BodyId> uneven;
-    for (const Group& group : groups_of(trace, k)) {
+    for (const TouchingGroup& group : groups_of(trace, k)) {
       if (ratio_of_masses(trace.begun(k).bodies, group.bodies) > kOverlapRatio)
         uneven.insert(group.bodies.begin(), group.bodies.end());
     }

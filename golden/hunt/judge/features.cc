@@ -81,7 +81,7 @@ void add_step(const Trace& trace, std::size_t k, Words& words) {
   words.count(step.counters.contacts, "contacts");
   if (trace.scene.world.method == sim::Method::kThesis) words.count(step.counters.substeps, "substeps");
   std::uint64_t islands = 0, largest = 0;
-  for (const Group& group : groups_of(trace, k)) {
+  for (const TouchingGroup& group : groups_of(trace, k)) {
     if (group.bodies.size() > 1) ++islands;
     largest = std::max<std::uint64_t>(largest, group.bodies.size());
   }

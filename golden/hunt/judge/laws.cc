@@ -67,7 +67,7 @@ Judgement judge_momentum(const Trace& trace) {
     const Bodies &begun = trace.begun(k).bodies, &after = trace.after(k).bodies;
     const Vec3 gravity = trace.begun(k).def.gravity;
     if (trace.scene.world.method == sim::Method::kThesis && length(gravity) > 0) continue;  // a lift is paid for
-    for (const Group& group : groups_of(trace, k)) {
+    for (const TouchingGroup& group : groups_of(trace, k)) {
       if (group.fixed || is_parted(trace.begun(k), group.bodies)) continue;
       any = true;
       const Momentum from = momentum_of(begun, group.bodies), to = momentum_of(after, group.bodies);
@@ -100,7 +100,7 @@ Judgement judge_angular_momentum(const Trace& trace) {
   for (std::size_t k = 0; k < trace.steps.size(); ++k) {
     const Bodies &begun = trace.begun(k).bodies, &after = trace.after(k).bodies;
     if (length(trace.begun(k).def.gravity) > 0) continue;
-    for (const Group& group : groups_of(trace, k)) {
+    for (const TouchingGroup& group : groups_of(trace, k)) {
       if (group.fixed || is_parted(trace.begun(k), group.bodies)) continue;
       // Levers are those of the place where the step began: nothing is claimed where a body turns far in a step.
       const bool meets = group.bodies.size() > 1;

@@ -52,7 +52,7 @@ Momentum momentum_of(const Bodies& bodies, const std::vector<BodyId>& ids) {
   return sum;
 }
 
-std::vector<Group> groups_of(const Trace& trace, std::size_t step) {
+std::vector<TouchingGroup> groups_of(const Trace& trace, std::size_t step) {
   const Bodies &begun = trace.begun(step).bodies, &after = trace.after(step).bodies;
   std::vector<BodyIndex> of(begun.size());
   std::iota(of.begin(), of.end(), BodyIndex{0});
@@ -80,14 +80,14 @@ std::vector<Group> groups_of(const Trace& trace, std::size_t step) {
       of[one] = other;
     }
   }
-  std::map<BodyIndex, Group> groups;
+  std::map<BodyIndex, TouchingGroup> groups;
   for (BodyIndex i = 0; i < begun.size(); ++i) {
     if (begun.is_static[i] != 0) continue;
-    Group& group = groups[leader(i)];
+    TouchingGroup& group = groups[leader(i)];
     group.bodies.push_back(begun.id[i]);
     group.fixed = group.fixed || fixed[i] != 0 || fixed[leader(i)] != 0;
   }
-  std::vector<Group> out;
+  std::vector<TouchingGroup> out;
   out.reserve(groups.size());
   for (auto& [row, group] : groups) out.push_back(std::move(group));
   return out;

@@ -30,13 +30,13 @@ Momentum momentum_of(const sim::Bodies& bodies, const std::vector<sim::BodyId>& 
 
 /// Bodies that met one another in a step, directly or through others; `fixed`: one of them met ground, a static body or
 /// a frozen one, or froze or woke.
-struct Group {
+struct TouchingGroup {
   std::vector<sim::BodyId> bodies;  ///< ascending
   bool fixed = false;
 };
 
 /// The bodies of a step that are not static in groups, those that met nobody alone.
-std::vector<Group> groups_of(const Trace& trace, std::size_t step);
+std::vector<TouchingGroup> groups_of(const Trace& trace, std::size_t step);
 
 /// The deepest overlap in a state, m, and the two bodies; the ground counts.
 struct Overlap {

@@ -46,7 +46,7 @@ void add_speeds(const Trace& trace, std::size_t k, Worst& worst) {
 void add_centres(const Trace& trace, std::size_t k, Worst& worst) {
   const Bodies &begun = trace.begun(k).bodies, &after = trace.after(k).bodies;
   const bool thesis = trace.scene.world.method == sim::Method::kThesis;
-  for (const Group& group : groups_of(trace, k)) {
+  for (const TouchingGroup& group : groups_of(trace, k)) {
     if (group.fixed || group.bodies.size() < 2 || (thesis && group.bodies.size() > 2)) continue;
     const Momentum from = momentum_of(begun, group.bodies), to = momentum_of(after, group.bodies);
     const Vec3 centre = from.first / from.mass;
