@@ -14,9 +14,6 @@
 namespace tumble::test {
 namespace {
 
-using replay::LogReader;
-using replay::StreamImport;
-using replay::StreamReader;
 
 TEST(StreamImport, StatesComeBackToTheBit) {
   Result<Imported> got = import_bytes(record(3, 6));
