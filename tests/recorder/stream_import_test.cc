@@ -14,7 +14,6 @@
 namespace tumble::test {
 namespace {
 
-
 TEST(StreamImport, StatesComeBackToTheBit) {
   Result<Imported> got = import_bytes(record(3, 6));
   ASSERT_TRUE(got.ok()) << got.error().message;
