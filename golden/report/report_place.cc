@@ -75,9 +75,9 @@ void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
 }
 
 /// A page of somebody's own is not removed as an earlier report.
-Status claim(files::OutputGuard& guard, const char* option, const fs::path& path) {
+Status claim(files::OutputGuard& guard, const char* option, const fs::path& path, files::FileKind kind) {
   if (Status ok = guard.claim(option, path); !ok.ok()) return ok;
-  return files::replaces_its_kind(option, path);
+  return files::replaces_its_kind(option, path, kind);
 }
 
 /// Now, so that a folder that cannot be written costs no run of the suite.
@@ -92,10 +92,10 @@ Status make_folder(const fs::path& folder) {
 Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
   if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
   for (const char* name : {kReportFile, kPage, kFindings, kBundleFile}) {
-    if (Status ok = claim(guard, "--report", folder / name); !ok.ok()) return ok;
+    if (Status ok = claim(guard, "--report", folder / name, files::kind_by_name(name)); !ok.ok()) return ok;
   }
   const char* option = junit.empty() ? "--report" : "--junit";
-  if (Status ok = claim(guard, option, junit_file(folder, junit)); !ok.ok()) return ok;
+  if (Status ok = claim(guard, option, junit_file(folder, junit), files::FileKind::kJunit); !ok.ok()) return ok;
   if (Status ok = make_folder(folder); !ok.ok()) return ok;
   remove_earlier_report(folder, junit);
   return {};

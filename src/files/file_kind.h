@@ -13,11 +13,17 @@ inline constexpr std::string_view kPageBegins =
     "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
     "<meta http-equiv=\"Content-Security-Policy\"";
 
-/// An output takes the place of an older output only. Asked of a file that is there: what its first bytes say it is
-/// must be what its ending says (.csv, .glb, .html, .json, .mcap, .mp4, .npz, .png, .svg, .webm, .xml; .html: a page of
-/// ours). An empty file, a device and any other ending pass.
+/// What an output holds: a table of ours ("step,…"), a page of ours, a report for CI (JUnit), probes of a step.
+enum class FileKind { kTable, kGltf, kPage, kJson, kMcap, kMp4, kArrays, kPng, kProbes, kSvg, kWebm, kJunit };
+
+/// For an output whose name chooses its kind (.csv, .glb, .html, .json, .mcap, .mp4, .npz, .png, .svg, .webm, .xml, in
+/// any case). Precondition (SIM_CHECK): one of these endings.
+FileKind kind_by_name(const std::filesystem::path& path);
+
+/// An output takes the place of an older output of its kind only: the first bytes of a file that is there decide,
+/// whatever its name. An empty file and a device pass.
 ///
 /// option: for messages: "-o". Errors (kBadInput): a file of another kind.
-Status replaces_its_kind(const std::string& option, const std::filesystem::path& path);
+Status replaces_its_kind(const std::string& option, const std::filesystem::path& path, FileKind kind);
 
 }  // namespace tumble::files

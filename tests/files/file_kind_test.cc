@@ -2,7 +2,6 @@
 #include "src/files/file_kind.h"
 
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,56 +13,78 @@ namespace {
 using FileKinds = TemporaryPlace;
 using namespace std::string_literals;
 
-const std::vector<std::pair<std::string, std::string>> kBegins = {
-    {".csv", "step,id"},
-    {".glb", "glTF\x02\0"s},
-    {".mcap", "\x89MCAP0\r\n"},
-    {".npz", "PK\x03\x04\x14"},
-    {".mp4", "\0\0\0\x18"s + "ftypisom"},
-    {".webm", "\x1a\x45\xdf\xa3\x01"},
-    {".png", "\x89PNG\r\n\x1a\n"},
-    {".html", std::string(kPageBegins) + " content="},
+const std::vector<std::pair<FileKind, std::string>> kBegins = {
+    {FileKind::kTable, "step,id"},
+    {FileKind::kGltf, "glTF\x02\0"s},
+    {FileKind::kPage, std::string(kPageBegins) + " content="},
+    {FileKind::kJson, " {\"x\": 1}"},
+    {FileKind::kMcap, "\x89MCAP0\r\n"},
+    {FileKind::kMp4, "\0\0\0\x18"s + "ftypisom"},
+    {FileKind::kArrays, "PK\x03\x04\x14"},
+    {FileKind::kPng, "\x89PNG\r\n\x1a\n"},
+    {FileKind::kProbes, "TMBLPRB1"},
+    {FileKind::kSvg, "<?xml version=\"1.0\"?>\n<svg width="},
+    {FileKind::kWebm, "\x1a\x45\xdf\xa3\x01"},
+    {FileKind::kJunit, "<?xml version=\"1.0\"?>\n<testsuites>"},
 };
 
-TEST_F(FileKinds, EachEndingTakesItsOwnKind) {
-  for (const auto& [ending, content] : kBegins) {
-    write("x" + ending, content);
-    EXPECT_TRUE(replaces_its_kind("-o", path("x" + ending)).ok()) << ending;
-    for (const auto& [other, unused] : kBegins) {
-      const bool is_text = other == ".csv" && ending == ".html";  // a page is text
-      if (other == ending || is_text) continue;
-      write("y" + other, content);
-      const Status status = replaces_its_kind("-o", path("y" + other));
-      const bool is_binary = content.find('\0') != std::string::npos || ending == ".png";
-      if (other == ".csv" && !is_binary) continue;
-      ASSERT_FALSE(status.ok()) << ending << " under the name " << other;
-      EXPECT_EQ(status.error().kind, ErrorKind::kBadInput);
-      EXPECT_NE(status.error().message.find("-o: " + path("y" + other) + ": exists and is no "), std::string::npos)
-          << status.error().message;
+// Whatever the name of the file is.
+TEST_F(FileKinds, EachKindTakesThePlaceOfItselfAlone) {
+  for (const std::string name : {"x", "x.txt", "x.csv", "x.json", "x.xml"}) {
+    for (const auto& [kind, content] : kBegins) {
+      write(name, content);
+      for (const auto& [other, unused] : kBegins) {
+        const Status status = replaces_its_kind("-o", path(name), other);
+        EXPECT_EQ(status.ok(), other == kind) << name << ": " << content << " by " << unused;
+        if (status.ok()) continue;
+        EXPECT_EQ(status.error().kind, ErrorKind::kBadInput);
+        EXPECT_NE(status.error().message.find("-o: " + path(name) + ": exists and is no "), std::string::npos)
+            << status.error().message;
+      }
     }
   }
 }
 
-TEST_F(FileKinds, TextsAreToldByTheirFirstCharacter) {
-  for (const auto& [name, content, fits] : std::vector<std::tuple<std::string, std::string, bool>>{
-           {"a.json", " {\"x\": 1}", true},
-           {"b.json", "[1]", true},
-           {"c.json", "x = 1", false},
-           {"a.svg", "<svg/>", true},
-           {"b.svg", "\n<?xml", true},
-           {"c.svg", "words", false},
-           {"a.xml", "<testsuites/>", true},
-           {"b.xml", "{}", false},
-           {"a.CSV", "a\0b"s, false},
-           {"a.html", "<!doctype html><p>mine", false},
-           {"a.txt", "words", true},
-           {"a.png", "", true},
-       }) {
-    write(name, content);
-    EXPECT_EQ(replaces_its_kind("--plot", path(name)).ok(), fits) << name;
+TEST_F(FileKinds, NoneTakesThePlaceOfAnotherFile) {
+  const std::vector<std::string> others = {"words",
+                                           "int main() { return 0; }",
+                                           "\x89tumble\r\n\x1a\n",
+                                           "\x89tumblestream\r\n\x1a",
+                                           "\x7f"s + "ELF\2\1\1\0"s,
+                                           "<!doctype html><p>mine",
+                                           "x = 1",
+                                           "# a title\nwords",
+                                           "step,\0"s};
+  for (const std::string& content : others) {
+    write("mine", content);
+    for (const auto& [kind, unused] : kBegins) {
+      EXPECT_FALSE(replaces_its_kind("--plot", path("mine"), kind).ok()) << content << " by " << unused;
+    }
   }
-  EXPECT_TRUE(replaces_its_kind("-o", path("none.png")).ok());
-  EXPECT_TRUE(replaces_its_kind("-o", "/dev/null").ok());
+}
+
+TEST_F(FileKinds, ATableMayBeginWithSettings) {
+  write("t", "# up: y\n# kinds: f64\nstep,time,id\n");
+  EXPECT_TRUE(replaces_its_kind("-o", path("t"), FileKind::kTable).ok());
+}
+
+TEST_F(FileKinds, TheNameOfAnOutputMayChooseItsKind) {
+  for (const auto& [name, kind] : std::vector<std::pair<std::string, FileKind>>{{"a.csv", FileKind::kTable},
+                                                                                {"a.b.CSV", FileKind::kTable},
+                                                                                {"x/.png", FileKind::kPng},
+                                                                                {"a.webm", FileKind::kWebm},
+                                                                                {"a.npz", FileKind::kArrays}}) {
+    EXPECT_EQ(kind_by_name(name), kind) << name;
+  }
+}
+
+TEST_F(FileKinds, WhatIsNotThereOrEmptyIsNoLoss) {
+  write("empty", "");
+  for (const auto& [kind, unused] : kBegins) {
+    for (const std::string& place : {path("empty"), path("none"), std::string("/dev/null")}) {
+      EXPECT_TRUE(replaces_its_kind("-o", place, kind).ok()) << place;
+    }
+  }
 }
 
 }  // namespace

@@ -175,6 +175,25 @@ TEST_F(KeptFiles, OutputsReplaceNothingButTheirOwnKind) {
   }
 }
 
+// The name that a file has says nothing of what it holds.
+TEST_F(KeptFiles, OutputsOfOneKindLookAtTheFileAndNotAtItsName) {
+  add_case();
+  shop_.write("prog.c", "int main(void) { return 0; }\n");
+  shop_.write("package.json", "{\"name\": \"mine\"}\n");
+  shop_.write("b.tumblestream", std::string("\x89tumblestream\r\n\x1a\1\0", 18));
+  shop_.write("elf", std::string("\x7f"
+                                 "ELF\2\1\1\0",
+                                 8));
+  for (const std::string name : {"prog.c", "b.tumblestream", "elf", "package.json", "a.tumble", "moved.tumble"}) {
+    if (name == "moved.tumble") fs::copy_file(shop_.path("s/cases/one/expected.tumble"), shop_.path(name));
+    std::vector<Words> commands = {{"measure", "b.tumble", "--series", name},
+                                   {"check", "--suite", "s", "--report", "q", "--junit", name}};
+    if (name != "package.json") commands.push_back({"bench", "memory", "--scene", "a.toml", "--save", name});
+    expect_refused(shop_, commands, name);
+  }
+  EXPECT_FALSE(fs::exists(shop_.path("q"))) << "nothing ran";
+}
+
 TEST_F(KeptFiles, AReportWithoutAPlaceCostsNoRunOfTheSuite) {
   add_case();
   expect_refused(shop_, {{"check", "--suite", "s", "--report", "a.toml/r"}},

@@ -26,6 +26,7 @@ std::string older(const std::string& name) {
   if (name.ends_with(".npz")) return "PK\x03\x04" + kOld;
   if (name.ends_with(".glb")) return "glTF" + kOld;
   if (name.ends_with(".json")) return "{\"x\": \"" + kOld + "\"}";
+  if (name.ends_with(".csv")) return "step," + kOld;
   return kOld;
 }
 

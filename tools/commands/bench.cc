@@ -27,10 +27,11 @@ Result<Exit> bench(const BenchOptions& options) {
   }
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
-    if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok.error();
+    if (Status ok = claim_output(guard, "--plot", options.plot, files::kind_by_name(options.plot)); !ok.ok())
+      return ok.error();
   }
   if (!options.save.empty()) {
-    if (Status ok = claim_output(guard, "--save", options.save); !ok.ok()) return ok.error();
+    if (Status ok = claim_output(guard, "--save", options.save, files::FileKind::kJson); !ok.ok()) return ok.error();
   }
   if (options.what == "peers") return bench_peers(options);
   if (options.what == "table1") return bench_table1(options);

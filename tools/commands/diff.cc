@@ -171,7 +171,8 @@ Result<Exit> diff(const DiffCommand& options) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
     files::OutputGuard guard;
     for (const std::string& log : {options.a, options.b}) guard.keep(log, "a log that is compared");
-    if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok.error();
+    if (Status ok = claim_output(guard, "--plot", options.plot, files::kind_by_name(options.plot)); !ok.ok())
+      return ok.error();
   }
   Result<replay::LogReader> a = open_log(options.a);
   if (!a.ok()) return a.error();

@@ -86,9 +86,9 @@ Status check_outputs(const MeasureCommand& options) {
   guard.keep(options.against, "the log of --against");
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok;
-    if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok;
+    if (Status ok = claim_output(guard, "--plot", options.plot, files::kind_by_name(options.plot)); !ok.ok()) return ok;
   }
-  return options.series.empty() ? Status() : claim_output(guard, "--series", options.series);
+  return options.series.empty() ? Status() : claim_output(guard, "--series", options.series, files::FileKind::kTable);
 }
 
 /// Measures, and writes every row to the files of --series and --plot.

@@ -78,7 +78,8 @@ Status check_rest(replay::LogReader& log) {
 Result<Exit> write_probes(const ReplayCommand& options, replay::LogReader& log) {
   files::OutputGuard guard;
   guard.keep(options.log, "the log");
-  if (Status ok = claim_output(guard, "--probes", options.probes); !ok.ok()) return ok.error();
+  if (Status ok = claim_output(guard, "--probes", options.probes, files::FileKind::kProbes); !ok.ok())
+    return ok.error();
   if (Status ok = replay::write_phase_probes(log, *options.probe_step, options.probes); !ok.ok()) return ok.error();
   return judge("replay", log, Exit::kSame);
 }

@@ -46,7 +46,7 @@ Status claim_page(const ViewCommand& options) {
   guard.keep(options.log, "a log that is shown");
   if (!options.other.empty()) guard.keep(options.other, "a log that is shown");
   if (!options.rules.empty()) guard.keep(options.rules, "the bounds of a case");
-  return claim_output(guard, "-o", options.output);
+  return claim_output(guard, "-o", options.output, files::FileKind::kPage);
 }
 
 // The bytes of the page that its data may take: base 64 makes four of three.

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "src/base/text.h"
-#include "src/files/file_kind.h"
 #include "tumble/replay/prelude.h"
 
 namespace tumble::tools {
@@ -21,7 +20,8 @@ Result<replay::LogReader> open_log(const std::string& path) {
   return log;
 }
 
-Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path) {
+Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path,
+                    files::FileKind kind) {
   if (Status ok = guard.claim(option, path); !ok.ok()) return ok;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
@@ -29,7 +29,7 @@ Status claim_output(files::OutputGuard& guard, const std::string& option, const 
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());
   const auto found = std::as_bytes(std::span(start)).first(static_cast<std::size_t>(file.gcount()));
-  if (found.empty() || !replay::starts_like_log(found)) return files::replaces_its_kind(option, path);
+  if (found.empty() || !replay::starts_like_log(found)) return files::replaces_its_kind(option, path, kind);
   return bad_input(option + ": " + printable(path) + " is a log or a golden; name another file, or remove it first");
 }
 
