@@ -99,21 +99,24 @@ void begin_at(std::uint64_t step, LogHeader& header, sim::WorldState& state) {
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const std::string& path, const EngineDef& def,
                                                      const sim::SceneDef& start) {
-  if (Status ok = check_engine(def); !ok.ok()) return ok.error();  // before a file is created
-  if (const Result<sim::World> world = world_of(start); !world.ok()) return world.error();
-  Result<std::unique_ptr<ByteSink>> sink = open_file_sink(path);
-  if (!sink.ok()) return sink.error();
-  return create(*std::move(sink), def, start);
+  return create([&] { return open_file_sink(path); }, def, start);
 }
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(std::unique_ptr<ByteSink> sink, const EngineDef& def,
+                                                     const sim::SceneDef& start) {
+  return create([&]() -> Result<std::unique_ptr<ByteSink>> { return std::move(sink); }, def, start);
+}
+
+Result<std::unique_ptr<EngineLog>> EngineLog::create(const MakeSink& make_sink, const EngineDef& def,
                                                      const sim::SceneDef& start) {
   if (Status ok = check_engine(def); !ok.ok()) return ok.error();
   Result<sim::World> world = world_of(start);
   if (!world.ok()) return world.error();
   LogHeader header = header_of(def, start);
   if (def.first_state > 0) begin_at(def.first_state, header, world->mutable_state());
-  Result<std::unique_ptr<LogWriter>> writer = LogWriter::create(std::move(sink), header, world->state());
+  Result<std::unique_ptr<ByteSink>> sink = make_sink();
+  if (!sink.ok()) return sink.error();
+  Result<std::unique_ptr<LogWriter>> writer = LogWriter::create(*std::move(sink), header, world->state());
   if (!writer.ok()) return writer.error();
   std::unique_ptr<EngineLog> log(new EngineLog(*std::move(world), def));
   log->writer_ = *std::move(writer);

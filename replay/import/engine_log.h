@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -67,6 +68,11 @@ class EngineLog {
   static Result<std::unique_ptr<EngineLog>> create(const std::string& path, const EngineDef& def,
                                                    const sim::SceneDef& start);
   static Result<std::unique_ptr<EngineLog>> create(std::unique_ptr<ByteSink> sink, const EngineDef& def,
+                                                   const sim::SceneDef& start);
+
+  /// make_sink is called once the start is known to be sound: an error of it costs no older file.
+  using MakeSink = std::function<Result<std::unique_ptr<ByteSink>>()>;
+  static Result<std::unique_ptr<EngineLog>> create(const MakeSink& make_sink, const EngineDef& def,
                                                    const sim::SceneDef& start);
 
   /// Records an input that changes the bodies before the coming step. Inputs of a step come before its states. Errors

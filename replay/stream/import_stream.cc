@@ -40,15 +40,21 @@ class StreamImporter {
     return {};
   }
 
-  Result<StreamImport> write(std::unique_ptr<ByteSink> sink) {
+  Result<StreamImport> write(const EngineLog::MakeSink& make_sink) {
     const Result<StreamStep> start = decode(stream_.steps().front());
     if (!start.ok()) return start.error();
     const sim::SceneDef begun = scene(*start);
     Result<EngineDef> def = engine(*start);
     if (!def.ok()) return def.error();
-    Result<std::unique_ptr<EngineLog>> log = EngineLog::create(std::move(sink), *def, begun);
+    bool is_sound = false;  // the start; what is wrong later is the place of the log
+    Result<std::unique_ptr<EngineLog>> log = EngineLog::create(
+        [&] {
+          is_sound = true;
+          return make_sink();
+        },
+        *def, begun);
     if (!log.ok()) {
-      if (log.error().kind != ErrorKind::kBadInput) return log.error();
+      if (is_sound || log.error().kind != ErrorKind::kBadInput) return log.error();
       return bad_input(place(stream_, stream_.steps().front()) + ": the start: " + log.error().message);
     }
     for (std::size_t k = 1; k < stream_.steps().size(); ++k) {
@@ -250,9 +256,7 @@ Result<StreamImport> import_stream(const StreamReader& stream,
   }
   StreamImporter importer(stream, progress);
   if (Status ok = importer.survey(); !ok.ok()) return ok.error();
-  Result<std::unique_ptr<ByteSink>> sink = make_sink();
-  if (!sink.ok()) return sink.error();
-  return importer.write(*std::move(sink));
+  return importer.write(make_sink);
 }
 
 }  // namespace tumble::replay

@@ -22,10 +22,10 @@ struct StreamImport {
   std::vector<std::string> warnings;  ///< oddness that does not hinder the import
 };
 
-/// Reads the stream twice, first to check all of it, then to write the log. make_sink: called once, in between. Steps
-/// that a rewind took back are left out in favour of those recorded after it, which say what became of them
-/// (Extras::superseded). Errors. kBadInput: a record that cannot
-/// be, with its byte in the stream. kCannotFinish: writing fails, or `progress` stops the work.
+/// Reads the stream twice, first to check all of it, then to write the log. make_sink: called once, in between, when
+/// the start is known to be sound: an error before costs no older file. Steps that a rewind took back are left out in
+/// favour of those recorded after it, which say what became of them (Extras::superseded). Errors. kBadInput: a record
+/// that cannot be, with its byte in the stream. kCannotFinish: writing fails, or `progress` stops the work.
 Result<StreamImport> import_stream(const StreamReader& stream,
                                    const std::function<Result<std::unique_ptr<ByteSink>>()>& make_sink,
                                    const Progress& progress = {});

@@ -64,5 +64,33 @@ TEST(OddStream, AStepThatCannotBeLeavesTheStepsBefore) {
   EXPECT_EQ(log->last_step(), 1U);
 }
 
+// The place of the log is not touched before the start is known to be sound.
+TEST(OddStream, AStartThatCannotBeLeavesAnOlderLog) {
+  const auto name_twice = [](TumbleRec* rec) {
+    const TumbleRecState state = state_at(1, 1);
+    std::uint32_t channel = 0;
+    ASSERT_EQ(tumble_rec_channel(rec, "input.go", TUMBLE_REC_WORLD, TUMBLE_REC_BYTES, &channel), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_input(rec, "go", 0, "x", 1), TUMBLE_REC_OK);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &state);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+  };
+  const Result<StreamReader> stream = open_stream(record(1, 0, name_twice));
+  ASSERT_TRUE(stream.ok());
+  int opened = 0;
+  const auto make_sink = [&]() -> Result<std::unique_ptr<replay::ByteSink>> {
+    ++opened;
+    return bad_input("notes.txt: exists and is not a log");
+  };
+  const Result<StreamImport> done = import_stream(*stream, make_sink);
+  ASSERT_FALSE(done.ok());
+  EXPECT_NE(done.error().message.find("input.go"), std::string::npos) << done.error().message;
+  EXPECT_EQ(opened, 0);
+  const Result<StreamReader> sound = open_stream(record(1, 2));
+  ASSERT_TRUE(sound.ok());
+  EXPECT_EQ(import_stream(*sound, make_sink).error().message, "notes.txt: exists and is not a log");
+  EXPECT_EQ(opened, 1);
+}
+
 }  // namespace
 }  // namespace tumble::test
