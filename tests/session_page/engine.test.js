@@ -109,7 +109,7 @@ test("a channel of one body and of one pair is plotted and searched", async () =
   await value("pull of body 2 and body 1", /^20$/);
   const search = page.locator("input[type=search]");
   for (const [words, answer] of [["heat of 2 < 5", "1 run of steps, the first at 16"], ["pull of 1 and 2 > 17", "1 run of steps, the first at 18"],
-    ["pull of 2 and 1 >= 17", "1 run of steps, the first at 17"], ["heat of 3 > 0", "in no step"], ["pull of 1 > 0", `"pull" is a channel of pairs: pull of 1 and 2 > 0`],
+    ["pull of 2 and 1 >= 17", "1 run of steps, the first at 17"], ["heat of 3 > 0", "no step has a value of it"], ["pull of 1 > 0", `"pull" is a channel of pairs: pull of 1 and 2 > 0`],
     ["heat of 9 > 0", `no body "9"`]]) {
     await search.fill(words);
     await page.locator(".search output").getByText(answer, { exact: true }).waitFor();

@@ -20,12 +20,15 @@ constexpr int kDigits = 7;
 
 Json vector_json(const sim::Vec3& v) { return {short_json(v.x()), short_json(v.y()), short_json(v.z())}; }
 
+/// null in a row that was not read: a count of nothing would be taken for one that was seen.
 template <class Row, class Member>
 Json column(std::span<const Row> rows, Member member) {
   Json numbers = Json::array();
   for (const Row& row : rows) {
-    if constexpr (std::is_floating_point_v<std::decay_t<decltype(row.*member)>>) {
-      numbers.push_back(row.read ? short_json(row.*member) : Json(nullptr));
+    if (!row.read) {
+      numbers.push_back(nullptr);
+    } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(row.*member)>>) {
+      numbers.push_back(short_json(row.*member));
     } else {
       numbers.push_back(row.*member);
     }
@@ -182,10 +185,14 @@ Json bodies_json(const replay::ViewedBodies& table) {
 
 Json timeline_json(std::span<const replay::TimelineRow> rows) {
   using Row = replay::TimelineRow;
-  Json read = Json::array();
-  for (const Row& row : rows) read.push_back(row.read ? 1 : 0);
-  return {{"step", column(rows, &Row::step)},
-          {"time", column(rows, &Row::time)},
+  Json read = Json::array(), step = Json::array(), time = Json::array();
+  for (const Row& row : rows) {
+    read.push_back(row.read ? 1 : 0);
+    step.push_back(row.step);
+    time.push_back(short_json(row.time));
+  }
+  return {{"step", step},
+          {"time", time},
           {"read", read},
           {"kinetic", column(rows, &Row::kinetic)},
           {"potential", column(rows, &Row::potential)},

@@ -4142,9 +4142,9 @@ if(!(h in uo)&&e.includes(u[1]))return d??{kind:"channel steps",quantity:u[1],bo
 bound:l}}if(!(o in ho)&&!e.includes(r)){let h=[...Object.keys(ho),...e].join(", ");return{kind:"wrong",words:'"'.concat(r,'" is no quantity; there are ').concat(
 h)}}return d??{kind:"steps",quantity:o in ho?o:r,comparison:c,bound:l}}function p0(i,e,t){let{of:n,body:s}=ho[i.quantity]??{of:(r,o)=>e.channels[i.quantity]?.[o]??
 null};return Rd(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function m0(i,e,t){let{of:n}=uo[i.quantity];return Rd(i,e.step,s=>n(e,s,t),()=>null)}function Cd(i,e){return Rd(
-i,e.step,t=>e.value[t],()=>null)}function Rd(i,e,t,n){let s=a1[i.comparison],r=[],o=null;for(let a=0;a<e.length;++a){let l=t(a);if(!(l!=null&&s(l,i.bound))){o=null;
-continue}o||(o={first:e[a],last:e[a],peak:l,at:e[a],body:n(a)},r.push(o)),o.last=e[a],Math.abs(l-i.bound)>Math.abs(o.peak-i.bound)&&Object.assign(o,{peak:l,at:e[a],
-body:n(a)})}return r}var oh=12;function c1(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function g0(i){let e=X(
+i,e.step,t=>e.value[t],()=>null)}function Rd(i,e,t,n){let s=a1[i.comparison],r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,!(d&&s(c,
+i.bound))){a=null;continue}a||(a={first:e[l],last:e[l],peak:c,at:e[l],body:n(l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(
+a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var oh=12;function c1(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function g0(i){let e=X(
 "input",{type:"search",placeholder:"speed > 5, speed of 12 > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by \
 a condition, or for a body by id or name");let t=X("output",{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:f}=i.
 sessions[0],p=f.find(s.text);return t.value=p.length===0?"no such body":"".concat(p.length," bod").concat(p.length===1?"y":"ies"),n.replaceChildren(...p.slice(0,
@@ -4160,14 +4160,15 @@ el of the step, not of a body'));if(m==="pairs"&&w.length!==2)return x('"'.conca
 if(!p.channel_history)return x("this page has no channels of single bodies; a served page (tumble view without -o) has");let b=w.map(_=>p.bodies.find(_));for(let[
 _,M]of b.entries())if(M.length!==1)return x(M.length===0?'no body "'.concat(w[_],'"'):"".concat(M.length,' bodies answer to "').concat(w[_],'"; wanted one'));let[
 C,S]=b.map(([_])=>p.bodies.id(_));try{let _=await p.channel_history(y,C,S??0,M=>(s===f&&d(Cd(f,M),g,!1),s===f));s===f&&d(Cd(f,_),g,!0)}catch(_){s===f&&x(_.message)}},
-d=(f,p,y)=>{let m=y?"":" so far";return t.value=f.length===0?"in no step".concat(m):"".concat(f.length," run").concat(f.length===1?"":"s"," of steps").concat(m,
-", the first at ").concat(f[0].first),r=f.slice(0,oh).map(g=>{let x=g.first===g.last?"step ".concat(g.first):"steps ".concat(g.first," to ").concat(g.last),w=X(
-"li",{},kn(x,()=>i.player.seek(g.first)),": up to ",kn("".concat(c1(g.peak,p)),()=>i.player.seek(g.at),"at step ".concat(g.at)));return g.body&&w.append(", ",kn(
-i.sessions[0].bodies.label(g.body),()=>i.select(g.body))),w}),n.replaceChildren(...r),f.length>oh&&n.append(X("li",{className:"soft",textContent:"and ".concat(f.
-length-oh," more")})),i.set_hits(f),f},u=()=>(r=[],s=f0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="bod\
-y steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?l(!0):c(),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".
-concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",u),e.addEventListener("keydown",f=>{if(f.key==="Escape"&&e.blur(),f.key==="\
-Enter"){if(f.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="body steps"||s.kind==="channel steps")i.next_hit(f.shiftKey?
+d=({runs:f,judged:p},y,m)=>{let g=m?"":" so far",x=i.sessions[0].rows.unread_count(),w=p===0?"no step has a value of it".concat(g):"in no step".concat(g);return t.
+value=(f.length===0?w:"".concat(f.length," run").concat(f.length===1?"":"s"," of steps").concat(g,", the first at ").concat(f[0].first))+(x===0?"":x===1?"; 1 st\
+ep was not read":"; ".concat(x," steps were not read")),r=f.slice(0,oh).map(b=>{let C=b.first===b.last?"step ".concat(b.first):"steps ".concat(b.first," to ").concat(
+b.last),S=X("li",{},kn(C,()=>i.player.seek(b.first)),": up to ",kn("".concat(c1(b.peak,y)),()=>i.player.seek(b.at),"at step ".concat(b.at)));return b.body&&S.append(
+", ",kn(i.sessions[0].bodies.label(b.body),()=>i.select(b.body))),S}),n.replaceChildren(...r),f.length>oh&&n.append(X("li",{className:"soft",textContent:"and ".
+concat(f.length-oh," more")})),i.set_hits(f),f},u=()=>(r=[],s=f0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():s.kind===
+"body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?l(!0):c(),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to st\
+ep ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",u),e.addEventListener("keydown",f=>{if(f.key==="Escape"&&e.blur(),f.key===
+"Enter"){if(f.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="body steps"||s.kind==="channel steps")i.next_hit(f.shiftKey?
 -1:1);else if(s.kind==="body"){let[p]=u();p!==void 0&&i.select(i.sessions[0].bodies.id(p))}}});let h=(f,p,y)=>{let m=X("button",{type:"button",textContent:f,title:p});
 return m.setAttribute("aria-label",p),m.addEventListener("click",()=>i.next_hit(y)),m};return{place:X("div",{className:"search"},X("div",{className:"search-row"},
 e,h("\u2039","the run of steps before (N)",-1),h("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(f){r.forEach((p,y)=>p.classList.toggle("at",
@@ -4186,9 +4187,10 @@ this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)
 channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;
 let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;
 return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){
-if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the record with it is damaged"])}return e}broken(e){
-return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){
-return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var d1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function v0(i){if(!("DecompressionStream"in window))
+if(this.read[t]!==0)continue;let n=e.at(-1),s=t+1<this.count?this.step[t+1]-1:this.step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record \
+with it is damaged"])}return e}unread_count(){return this.unread().reduce((e,[t,n])=>e+n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),
+0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===
+null?null:this.kinetic[e]+this.potential[e]}};var d1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function v0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([d1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var x0=async i=>JSON.parse(new TextDecoder().decode(await v0(i))),y0=i=>i>>>1^-(i&1);function f1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<

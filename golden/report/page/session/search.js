@@ -79,8 +79,8 @@ export function parse_query(text, channels = []) {
   return no_number ?? { kind: "steps", quantity: quantity in kQuantities ? quantity : name, comparison, bound };
 }
 
-/// Runs of steps in which a condition holds: [{first, last, peak, at, body}], peak being the value furthest from the
-/// bound and `at` its step.
+/// {runs, judged}: runs of steps in which a condition holds, [{first, last, peak, at, body}], peak being the value
+/// furthest from the bound and `at` its step; judged: how many steps have a value.
 export function find_runs(query, rows, separation) {
   const { of, body } = kQuantities[query.quantity] ?? { of: (_, i) => rows.channels[query.quantity]?.[i] ?? null };
   return runs_of(query, rows.step, (i) => of(rows, i, separation), (i) => body?.(rows, i) ?? null);
@@ -100,10 +100,13 @@ export function find_channel_runs(query, history) {
 function runs_of(query, step, value_in, body_in) {
   const holds = kComparisons[query.comparison];
   const runs = [];
+  let judged = 0;
   let open = null;
   for (let i = 0; i < step.length; ++i) {
     const value = value_in(i);
-    const good = value !== null && value !== undefined && holds(value, query.bound);
+    const known = value !== null && value !== undefined;
+    if (known) ++judged;
+    const good = known && holds(value, query.bound);
     if (!good) {
       open = null;
       continue;
@@ -117,5 +120,5 @@ function runs_of(query, step, value_in, body_in) {
       Object.assign(open, { peak: value, at: step[i], body: body_in(i) });
     }
   }
-  return runs;
+  return { runs, judged };
 }

@@ -102,9 +102,12 @@ export function make_search(page) {
     }
     return undefined;
   };
-  const list_runs = (runs, unit, whole) => {
+  const list_runs = ({ runs, judged }, unit, whole) => {
     const partly = whole ? "" : " so far";
-    said.value = runs.length === 0 ? `in no step${partly}` : `${runs.length} run${runs.length === 1 ? "" : "s"} of steps${partly}, the first at ${runs[0].first}`;
+    const unread = page.sessions[0].rows.unread_count();
+    const none = judged === 0 ? `no step has a value of it${partly}` : `in no step${partly}`;
+    said.value = (runs.length === 0 ? none : `${runs.length} run${runs.length === 1 ? "" : "s"} of steps${partly}, the first at ${runs[0].first}`) +
+      (unread === 0 ? "" : unread === 1 ? "; 1 step was not read" : `; ${unread} steps were not read`);
     items = runs.slice(0, kShown).map((run) => {
       const where = run.first === run.last ? `step ${run.first}` : `steps ${run.first} to ${run.last}`;
       const made = element("li", {}, link(where, () => page.player.seek(run.first)), ": up to ",

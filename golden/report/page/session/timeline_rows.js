@@ -57,11 +57,14 @@ export class TimelineRows {
     for (let i = 0; i < this.count; ++i) {
       if (this.read[i] !== 0) continue;
       const run = runs.at(-1);
-      if (run && i > 0 && this.read[i - 1] === 0) run[1] = this.step[i];
-      else runs.push([this.step[i], this.step[i], "the record with it is damaged"]);
+      const last = i + 1 < this.count ? this.step[i + 1] - 1 : this.step[i];  // a row of a thinned timeline is of several
+      if (run && i > 0 && this.read[i - 1] === 0) run[1] = last;
+      else runs.push([this.step[i], last, "the record with it is damaged"]);
     }
     return runs;
   }
+
+  unread_count() { return this.unread().reduce((sum, [first, last]) => sum + last - first + 1, 0); }
 
   /// The number of bounds that are broken up to row i.
   broken(i) { return this.bounds.reduce((sum, { broken }) => sum + (broken[i] ?? 0), 0); }

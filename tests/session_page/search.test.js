@@ -1,0 +1,71 @@
+// The search of the session page, sent and served: what it finds is there, what it cannot know it says.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { eventually, kPatienceMs } from "../report_page/eventually.js";
+import { Sessions } from "./sessions.js";
+
+const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
+const { chromium } = createRequire(`${MODULES}/`)("playwright-core");
+const sessions = new Sessions(TUMBLE, WORK);
+const errors = [];
+let browser;
+
+async function open(address) {
+  const page = await (await browser.newContext({ viewport: { width: 1280, height: 900 } })).newPage();
+  page.setDefaultTimeout(kPatienceMs);
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(address);
+  await page.locator("#session[data-ready]").waitFor();
+  return page;
+}
+
+/// Opens a log as a page to send and as a served one: what(page, kind).
+async function both(name, what) {
+  sessions.run_any("view", name, "-o", `${name}.html`);
+  const { address, child } = await sessions.serve(name);
+  for (const [kind, place] of [["sent", pathToFileURL(sessions.path(`${name}.html`)).href], ["served", address]]) {
+    const page = await open(place);
+    await what(page, kind);
+    await page.context().close();
+  }
+  child.kill("SIGINT");
+}
+
+/// Types into the search, and waits for its answer.
+async function search(page, words, answer) {
+  await page.locator("input[type=search]").fill(words);
+  await eventually(page, () => page.locator(".search output").textContent(), (said) => (answer instanceof RegExp ? answer.test(said) : said === answer),
+    `"${words}" should be answered by ${answer}`);
+}
+const hits = (page) => page.locator(".hits").textContent();
+
+before(async () => {
+  sessions.record("long.tumble", { steps: 400 }, "--set", "world.freezing=false");
+  sessions.damage("long.tumble", "damaged.tumble");
+  browser = await chromium.launch({ executablePath: CHROMIUM, timeout: kPatienceMs, args: ["--enable-unsafe-swiftshader"] });
+});
+after(async () => {
+  sessions.end();
+  await browser?.close();
+});
+
+test("steps that could not be read are in no answer, and each answer says how many they are", async () => {
+  await both("damaged.tumble", async (page) => {
+    const notices = await eventually(page, () => page.locator(".notices").textContent(), (words) => /steps \d+ to/.test(words), "the gap");
+    const [first, last] = /steps (\d+) to (\d+)/.exec(notices).slice(1).map(Number);
+    const unread = `${last - first + 1} steps were not read`;
+    await search(page, "bodies < 1", `in no step; ${unread}`);
+    for (const words of ["lost = 0", "bodies >= 0", "contacts >= 0", "sleeping >= 0"]) {
+      await search(page, words, `2 runs of steps, the first at 0; ${unread}`);
+      assert.ok((await hits(page)).startsWith(`steps 0 to ${first - 1}:`), `${words}: ${await hits(page)}`);
+    }
+    await search(page, "height of 900 < -1", `in no step; ${unread}`);
+    await page.evaluate((step) => { location.hash = `#step=${step}`; location.reload(); }, first);
+    await page.locator("#session[data-ready]").waitFor();
+    await page.locator(".lane", { hasText: "contacts" }).first().locator(".value", { hasText: /^–$/ }).waitFor();
+  });
+});
+
+test("nothing went wrong", () => assert.deepEqual(errors, []));
