@@ -144,7 +144,7 @@ Status may_replace(const std::string& path) {
   if (::stat(path.c_str(), &info) != 0) return {};
   if (S_ISDIR(info.st_mode)) return bad_input(path + ": is a folder; name a file to write the log to");
   if (!S_ISREG(info.st_mode)) return {};
-  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const File file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (file.ok() && !lock(file.get())) return locked(path, file.get());
   if (info.st_size == 0) return {};
   std::array<std::byte, kPreludeBytes> start = {};
@@ -205,11 +205,13 @@ Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
 }
 
 Result<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
-  File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // A named pipe lets nobody open it to read before somebody writes, however long that takes.
+  File file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!file.ok()) return bad_input(path + ": cannot be opened: " + reason());
   struct stat info = {};
   if (::fstat(file.get(), &info) != 0) return bad_input(path + ": cannot be opened: " + reason());
   if (S_ISDIR(info.st_mode)) return bad_input(path + ": is a folder, not a log");
+  if (!S_ISREG(info.st_mode)) return bad_input(path + ": is no file, but a pipe or a device; name the file of a log");
   const auto size = static_cast<std::uint64_t>(info.st_size);
   return std::unique_ptr<ByteSource>(std::make_unique<FileSource>(std::move(file), size, path));
 }

@@ -1,5 +1,6 @@
 // The server of `tumble view`: it answers its own page and nobody else.
 import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
 import { copyFileSync, renameSync, rmSync, statSync, truncateSync } from "node:fs";
 import { Agent, request } from "node:http";
 import { connect } from "node:net";
@@ -76,6 +77,18 @@ test("a log that is removed while it is served: states stay, the rest says why n
   assert.ok((await (await fetch(`${address}frames?log=0&first=100&count=1&stride=1`)).arrayBuffer()).byteLength > 100);
   for (const question of kSlow) assert.match((await ask(question)).why_not, /^gone\.tumble: cannot be opened: No such file/, question);
   child.kill("SIGINT");
+});
+
+test("a named pipe where a log lay: nobody waits for it", async () => {
+  const { log, child, ask } = await served("pipe.tumble");
+  rmSync(log);
+  execFileSync("mkfifo", [log]);
+  const info = spawnSync(sessions.program, ["info", log], { timeout: 20000 });
+  assert.equal(info.status, 2, "not killed while it waits");
+  assert.match(String(info.stderr), /pipe\.tumble: is no file, but a pipe/);
+  for (const question of kSlow) assert.match((await ask(question)).why_not, /^pipe\.tumble: is no file, but a pipe/, question);
+  child.kill("SIGINT");
+  assert.equal(await new Promise((resolve) => { child.on("exit", resolve); }), 0);
 });
 
 test("a log that is cut while it is served: nothing is said of what is gone", async () => {
