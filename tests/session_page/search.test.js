@@ -1,6 +1,7 @@
 // The search of the session page, sent and served: what it finds is there, what it cannot know it says.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
+import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { eventually, kPatienceMs } from "../report_page/eventually.js";
@@ -41,9 +42,18 @@ async function search(page, words, answer) {
 }
 const hits = (page) => page.locator(".hits").textContent();
 
+/// One body, a step for each row of values; heads: the columns that they are in.
+function import_values(name, heads, rows) {
+  let text = `# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,${heads}\n`;
+  rows.forEach((values, k) => { text += `${k},wheel,0,0,1,1,0,0,0,${values}\n`; });
+  writeFileSync(sessions.path("values.csv"), text);
+  sessions.run("import", "values.csv", "-o", name);
+}
+
 before(async () => {
   sessions.record("long.tumble", { steps: 400 }, "--set", "world.freezing=false");
   sessions.damage("long.tumble", "damaged.tumble");
+  import_values("odd.tumble", "channel.constructor,channel.__proto__", ["1,2", "5,6"]);
   browser = await chromium.launch({ executablePath: CHROMIUM, timeout: kPatienceMs, args: ["--enable-unsafe-swiftshader"] });
 });
 after(async () => {
@@ -65,6 +75,16 @@ test("steps that could not be read are in no answer, and each answer says how ma
     await page.evaluate((step) => { location.hash = `#step=${step}`; location.reload(); }, first);
     await page.locator("#session[data-ready]").waitFor();
     await page.locator(".lane", { hasText: "contacts" }).first().locator(".value", { hasText: /^–$/ }).waitFor();
+  });
+});
+
+test("a quantity may have any name", async () => {
+  await both("odd.tumble", async (page, kind) => {
+    await search(page, "constructor > 3", /^1 run of steps, the first at 1/);
+    await search(page, "__proto__ > 1", /^1 run of steps, the first at 0/);
+    if (kind === "served") await search(page, "__proto__ of wheel > 3", "1 run of steps, the first at 1");
+    for (const words of ["toString > 5", "hasOwnProperty > 5"]) await search(page, words, /" is no quantity; there are speed,/);
+    await search(page, "valueOf of wheel > 5", /"valueOf" is no quantity of a body; there are speed,/);
   });
 });
 

@@ -24,6 +24,9 @@ export function watch_theme(action) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", action);
 }
 
+/// A table by names that may be any: "constructor" is in a plain object without having been put there.
+export const by_name = (entries = {}) => Object.assign(Object.create(null), entries);
+
 /// An element with properties and children.
 export function element(tag, properties = {}, ...children) {
   const made = Object.assign(document.createElement(tag), properties);

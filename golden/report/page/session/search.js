@@ -1,8 +1,10 @@
 // Search: a body by its id or name, or steps by a condition on a number: "speed > 5", "overlap > 1e-3", or on one of a
 // body: "speed of 12 > 5", "height of wheel < 0.3".
 
+import { by_name } from "../theme.js";
+
 // What a condition may be about: its value in row i of the timeline, and its unit.
-export const kQuantities = {
+export const kQuantities = by_name({
   speed: { of: (rows, i) => rows.speed[i], unit: "m/s", body: (rows, i) => rows.speed_body[i] },
   overlap: { of: (rows, i) => rows.overlap[i], unit: "m" },
   height: { of: (rows, i) => rows.height[i], unit: "m" },
@@ -16,11 +18,11 @@ export const kQuantities = {
   lost: { of: (rows, i) => rows.lost[i], unit: "" },
   broken: { of: (rows, i) => (rows.bounds.length > 0 ? rows.broken(i) : null), unit: "" },
   separation: { of: (rows, i, separation) => separation?.(rows.step[i]) ?? null, unit: "m" },
-};
+});
 
 /// What a condition on one body may be about: its value in row i of the body's history; other: that of the second
 /// session, where there is one.
-export const kBodyQuantities = {
+export const kBodyQuantities = by_name({
   speed: { of: (one, i) => one.speed[i], unit: "m/s" },
   spin: { of: (one, i) => one.spin?.[i] ?? null, unit: "rad/s" },
   height: { of: (one, i) => one.z[i], unit: "m" },
@@ -29,7 +31,7 @@ export const kBodyQuantities = {
   z: { of: (one, i) => one.z[i], unit: "m" },
   asleep: { of: (one, i) => one.asleep[i], unit: "" },
   separation: { of: (one, i, other) => apart(one, i, other), unit: "m" },
-};
+});
 
 function apart(one, i, other) {
   if (!other) return null;
@@ -40,10 +42,10 @@ function apart(one, i, other) {
   return parts.includes(null) ? null : Math.hypot(...parts);
 }
 
-const kComparisons = {
+const kComparisons = by_name({
   "<": (a, b) => a < b, "<=": (a, b) => a <= b, ">": (a, b) => a > b, ">=": (a, b) => a >= b, "=": (a, b) => a === b,
-};
-const kWords = { "≥": ">=", "≤": "<=", "==": "=" };
+});
+const kWords = by_name({ "≥": ">=", "≤": "<=", "==": "=" });
 
 /// Reads a query: {kind: "body", text}, {kind: "steps", quantity, comparison, bound}, {kind: "body steps", quantity,
 /// body, comparison, bound}, likewise {kind: "channel steps", …} of a channel, {kind: "step", step} or {kind: "wrong", words}. channels: names of further columns.

@@ -1,4 +1,6 @@
 // The numbers of each step that the timeline shows and the search reads: columns, a row a step that was read so far.
+import { by_name } from "../theme.js";
+
 const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "contacts", "bodies", "sleeping", "lost",
   "speed", "speed_body", "height", "overlap"];
 
@@ -11,7 +13,7 @@ export class TimelineRows {
     this.label = (id) => `body ${id}`;
     this.events = [];  // inputs: {step, kind, body, text}
     this.begun_why_not = "";
-    this.channels = {};
+    this.channels = by_name();
     this.bounds = [];  // {value, broken}, in the order of the head's
   }
 

@@ -3,6 +3,7 @@ import {
   BoxGeometry, BufferGeometry, CapsuleGeometry, CylinderGeometry, Float32BufferAttribute, SphereGeometry, Vector3,
 } from "three";
 import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
+import { by_name } from "../theme.js";
 
 const kRound = 24;  // segments around
 const kUnknownEdge = 0.1;  // m, of a body whose size no log says
@@ -26,14 +27,14 @@ function faces({ points, triangles }) {
 
 // Lengths in m, in the body's axes around its centre of mass. has_edges: texture coordinates run from edge to edge of each
 // face, so that edges can be drawn.
-const kShapes = {
+const kShapes = by_name({
   box: { geometry: () => new BoxGeometry(), has_edges: true },
   sphere: { geometry: ({ radius }) => new SphereGeometry(radius, kRound, kRound / 2) },
   capsule: { geometry: (one) => along(one.axis, new CapsuleGeometry(one.radius, 2 * one.half_length, 8, kRound)) },
   cylinder: { geometry: (one) => along(one.axis, new CylinderGeometry(one.radius, one.radius, 2 * one.half_length, kRound)) },
   hull: { geometry: ({ points }) => new ConvexGeometry(corners_of(points)) },
   mesh: { geometry: faces },
-};
+});
 
 const is_known = (body) => body.shape !== "box" && body.shape in kShapes;
 
