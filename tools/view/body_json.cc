@@ -42,7 +42,7 @@ Json channel_history_json(std::uint64_t from, std::span<const replay::ChannelMom
       {"next", history.empty() ? from : history.back().step + 1}, {"step", Json::array()}, {"value", Json::array()}};
   for (const replay::ChannelMoment& moment : history) {
     json["step"].push_back(moment.step);
-    json["value"].push_back(short_json(moment.value));
+    json["value"].push_back(exact_json(moment.value));
   }
   return json;
 }

@@ -28,7 +28,7 @@ Json column(std::span<const Row> rows, Member member) {
     if (!row.read) {
       numbers.push_back(nullptr);
     } else if constexpr (std::is_floating_point_v<std::decay_t<decltype(row.*member)>>) {
-      numbers.push_back(short_json(row.*member));
+      numbers.push_back(exact_json(row.*member));
     } else {
       numbers.push_back(row.*member);
     }
@@ -44,7 +44,7 @@ Json channels_json(std::span<const replay::TimelineRow> rows) {
   for (std::size_t c = 0; c < count; ++c) {
     Json values = Json::array();
     for (const replay::TimelineRow& row : rows) {
-      values.push_back(c < row.channels.size() ? short_json(row.channels[c]) : Json(nullptr));
+      values.push_back(c < row.channels.size() ? exact_json(row.channels[c]) : Json(nullptr));
     }
     channels.push_back(std::move(values));
   }
@@ -115,6 +115,12 @@ Json input_body(const sim::Command& input) {
 }
 
 }  // namespace
+
+Json exact_json(double value) {
+  if (std::isnan(value)) return nullptr;
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  return value;
+}
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -226,7 +232,7 @@ Json history_json(std::uint64_t from, std::span<const replay::BodyMoment> histor
   for (const replay::BodyMoment& moment : history) {
     json["step"].push_back(moment.step);
     const auto add = [&](const char* name, double value) {
-      json[name].push_back(moment.shown ? short_json(value) : Json(nullptr));
+      json[name].push_back(moment.shown ? exact_json(value) : Json(nullptr));
     };
     add("x", moment.position.x());
     add("y", moment.position.y());

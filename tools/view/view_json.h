@@ -41,6 +41,9 @@ Json contact_rows_json(std::span<const replay::ContactPoint> points);
 /// The text of JSON; bytes that are not UTF-8 become replacement characters.
 std::string dumped(const Json& json);
 
+/// All digits, for what a search compares; "Infinity" and "-Infinity", which JSON has no number for; null for none.
+Json exact_json(double value);
+
 /// Seven significant digits; null for a number that is not finite.
 Json short_json(double value);
 

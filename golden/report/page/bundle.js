@@ -1,4 +1,4 @@
-(()=>{var tf='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
+(()=>{var nf='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
 ca Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji";line-height: 1.5;width: min-content;}.u-t\
 itle {text-align: center;font-size: 18px;font-weight: bold;}.u-wrap {position: relative;user-select: none;}.u-over, .u-under {position: absolute;}.u-under {over\
 flow: hidden;}.uplot canvas {display: block;position: relative;width: 100%;height: 100%;}.u-axis {position: absolute;}.u-legend {font-size: 14px;margin: auto;te\
@@ -9,7 +9,7 @@ inter;}.u-legend .u-off > * {opacity: 0.3;}.u-select {background: rgba(0,0,0,0.0
 absolute;left: 0;top: 0;pointer-events: none;will-change: transform;}.u-hz .u-cursor-x, .u-vt .u-cursor-y {height: 100%;border-right: 1px dashed #607D8B;}.u-hz \
 .u-cursor-y, .u-vt .u-cursor-x {width: 100%;border-bottom: 1px dashed #607D8B;}.u-cursor-pt {position: absolute;top: 0;left: 0;border-radius: 50%;border: 0 soli\
 d;pointer-events: none;will-change: transform;/*this has to be !important since we set inline "background" shorthand */background-clip: padding-box !important;}\
-.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var nf=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
+.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var sf=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
 : #5fd0c5; --expected: #ffb45c; } }\n.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); gap: 1rem; }\n.plots figure {\
  min-width: 0; margin: 0; }\n.plots figcaption { font-weight: 600; }\n.plot { min-width: 0; }\n.u-legend { font-size: .82rem; text-align: left; }\n.uplot .u-legend \
 tr, .uplot .u-legend td, .uplot .u-legend th { padding: 0 .3rem; border: 0; }\n.uplot .u-legend tr { display: inline-block; padding: 0 .4rem 0 0; }\n.uplot .u-leg\
@@ -26,7 +26,7 @@ set: 2px; }\n.controls output { flex: 1 1 100%; font-variant-numeric: tabular-nu
 }\n.viewer .stack { position: relative; border: 1px solid var(--line); }\n.viewer .stack img { display: block; width: 100%; max-width: none; image-rendering: pixe\
 lated; }\n.viewer .stack .over { position: absolute; inset: 0; }\n.viewer .stack .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; bac\
 kground: #fff;\n  box-shadow: 0 0 0 1px #000; }\n.viewer .tag { position: absolute; top: .4rem; left: .4rem; padding: 0 .5rem; border-radius: .3rem; background: #\
-000b;\n  color: #fff; font-size: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var sf=':root { --contact: #c2185b; --select: #e08a00; --asleep: #8a97a6; --way: #6a4bc4; --warn: #7a5200; --stage: #e9eef4; --stage-2: #f8fafc; }\n@media (prefe\
+000b;\n  color: #fff; font-size: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var rf=':root { --contact: #c2185b; --select: #e08a00; --asleep: #8a97a6; --way: #6a4bc4; --warn: #7a5200; --stage: #e9eef4; --stage-2: #f8fafc; }\n@media (prefe\
 rs-color-scheme: dark) { :root { --contact: #ff79b0; --select: #ffc04d; --asleep: #6d7a89; --way: #b7a0ff; --warn: #ffcf70;\n  --stage: #11161b; --stage-2: #222a\
 33; } }\nbody.session { max-width: none; padding: .9rem 1.25rem 2rem; }\n.session h1 { font-size: 1.25rem; overflow-wrap: anywhere; }\n.session h2 { margin: 0; fon\
 t-size: .95rem; }\n.session .facts { display: flex; flex-wrap: wrap; gap: .35rem .5rem; align-items: center; margin: .3rem 0; }\n.session .scene { margin-right: .\
@@ -73,182 +73,182 @@ media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .session .view
 nmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: table-row-group; }\n  .session thead { displa\
 y: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem \
 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type=\
-"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var q0="uplot",Y0="u-hz",Z0="u-vt",J0="u-title",K0="u-wrap",j0="u-under",Q0="u-over",e_="u-axis",qs="u-off",t_="u-select",n_="u-cursor-x",i_="u-cursor-y",s_="u-\
-cursor-pt",r_="u-legend",o_="u-live",a_="u-inline",l_="u-series",c_="u-marker",rf="u-label",h_="u-value",To="width",Ao="height";var of="bottom",br="left",xh="right",Uh="#000",af=Uh+"0",yh="mousemove",lf="mousedown",vh="mouseup",cf="mouseenter",hf="mouseleave",uf="dblclick",u_="resize",d_="\
-scroll",df="change",Ua="dppxchange",Fh="--",Cr=typeof window<"u",Th=Cr?document:null,Sr=Cr?window:null,f_=Cr?navigator:null,wt,Ia;function Ah(){let i=devicePixelRatio;
-wt!=i&&(wt=i,Ia&&Ch(df,Ia,Ah),Ia=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Ys(df,Ia,Ah),Sr.dispatchEvent(
-new CustomEvent(Ua)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Eh(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
-i.style[e]=t+"px"}function mi(i,e,t,n){let s=Th.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function oi(i,e){return mi("div",i,e)}var ff=new WeakMap;
-function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=ff.get(i);r!=o&&(i.style.transform=r,ff.set(i,r),e<0||t<0||e>n||t>s?Yn(i,qs):Eh(i,qs))}var pf=new WeakMap;
-function mf(i,e,t){let n=e+t,s=pf.get(i);n!=s&&(pf.set(i,n),i.style.background=e,i.style.borderColor=t)}var gf=new WeakMap;function _f(i,e,t,n){let s=e+""+t,r=gf.
-get(i);s!=r&&(gf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Oh={passive:!0},p_={...Oh,
-capture:!0};function Ys(i,e,t,n){e.addEventListener(i,t,n?p_:Oh)}function Ch(i,e,t,n){e.removeEventListener(i,t,Oh)}Cr&&Ah();function gi(i,e,t,n){let s;t=t||0,n=
-n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Xf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
-s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var $f=i=>i!=null,qf=i=>i!=null&&i>0,Ba=Xf($f),m_=Xf(qf);function g_(i,e,t,n=0,s=!1){
-let r=s?m_:Ba,o=s?qf:$f;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
-a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function ka(i,e,t,n){let s=vf(i),r=vf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Zi:Yf,a=s==1?Zn:ai,l=r==1?ai:Zn,
-c=a(o(dn(i))),d=l(o(dn(e))),u=wr(t,c),h=wr(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=jf(i,u),e=za(e,h)),[i,e]}function Bh(i,e,t,n){
-let s=ka(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var kh=.1,xf={mode:3,pad:kh},Co={pad:0,soft:null,mode:0},__={min:Co,max:Co};function Fa(i,e,t,n){return Va(
-t)?yf(i,e,t):(Co.pad=t,Co.soft=n?0:null,Co.mode=n?3:0,yf(i,e,__))}function Mt(i,e){return i??e}function x_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
-null)return!0;e++}return!1}function yf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
-u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Zi(f),y=Dn(dn(i),dn(e)),m=Zi(y),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let x=f||y||1e3,w=Zi(x),b=wr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(jf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Dn(a,S<_&&i>=_?_:_i(_,S)),
-P=x*(f==0?e==0?.1:1:o),R=Dt(za(e+P,b/10),24),I=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>I&&e<=I?I:Dn(I,R));return M==F&&M==0&&(F=100),[M,F]}var y_=new Intl.
-NumberFormat(Cr?f_.language:"en-US"),zh=i=>y_.format(i),Jn=Math,Da=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Dn=Jn.max,wr=Jn.pow,vf=Jn.sign,Zi=Jn.
-log10,Yf=Jn.log2,v_=(i,e=1)=>Jn.sinh(i)*e,bh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function bf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Rh(i,e,t){return _i(Dn(i,e),
-t)}function Zf(i){return typeof i=="function"}function gt(i){return Zf(i)?i:()=>i}var b_=()=>{},Jf=i=>i,Kf=(i,e)=>e,M_=i=>null,Mf=i=>!0,Sf=(i,e)=>i==e,S_=/\.\d*?(?=9{6,}|0{6,})/gm,
-Zs=i=>{if(ep(i)||Ms.has(i))return i;let e="".concat(i),t=e.match(S_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
-concat(Zs(s),"e").concat(r)}return Dt(i,n)};function Xs(i,e){return Zs(Dt(Zs(i/e))*e)}function za(i,e){return Zs(ai(Zs(i/e))*e)}function jf(i,e){return Zs(Zn(Zs(
-i/e))*e)}function Dt(i,e=0){if(ep(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ms=new Map;function Qf(i){return((""+i).split(".")[1]||"").
-length}function Po(i,e,t,n){let s=[],r=n.map(Qf);for(let o=e;o<t;o++){let a=dn(o),l=Dt(wr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ms.set(h,u)}}return s}var Ro={},Vh=[],Tr=[null,null],bs=Array.isArray,ep=Number.isInteger,w_=i=>i===
-void 0;function wf(i){return typeof i=="string"}function Va(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function T_(i){return i!=null&&
-typeof i=="object"}var A_=Object.getPrototypeOf(Uint8Array),tp="__proto__";function Ar(i,e=Va){let t;if(bs(i)){let n=i.find(s=>s!=null);if(bs(n)||e(n)){t=Array(
-i.length);for(let s=0;s<i.length;s++)t[s]=Ar(i[s],e)}else t=i.slice()}else if(i instanceof A_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=tp&&(t[n]=Ar(i[n],
-e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=tp&&(Va(i[s])?on(i[s],Ar(n[s])):i[s]=Ar(n[s]))}return i}
-var E_=0,C_=1,R_=2;function P_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
-s++]=null}}}function I_(i,e){if(D_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return U_(o[0])||(o=N_(o)),o}let t=new Set;for(let o=0;o<
+"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var Z0="uplot",J0="u-hz",K0="u-vt",j0="u-title",Q0="u-wrap",e_="u-under",t_="u-over",n_="u-axis",qs="u-off",i_="u-select",s_="u-cursor-x",r_="u-cursor-y",o_="u-\
+cursor-pt",a_="u-legend",l_="u-live",c_="u-inline",h_="u-series",u_="u-marker",of="u-label",d_="u-value",To="width",Ao="height";var af="bottom",br="left",yh="right",Fh="#000",lf=Fh+"0",vh="mousemove",cf="mousedown",bh="mouseup",hf="mouseenter",uf="mouseleave",df="dblclick",f_="resize",p_="\
+scroll",ff="change",Fa="dppxchange",Oh="--",Cr=typeof window<"u",Ah=Cr?document:null,Sr=Cr?window:null,m_=Cr?navigator:null,wt,La;function Eh(){let i=devicePixelRatio;
+wt!=i&&(wt=i,La&&Rh(ff,La,Eh),La=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Ys(ff,La,Eh),Sr.dispatchEvent(
+new CustomEvent(Fa)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Ch(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
+i.style[e]=t+"px"}function mi(i,e,t,n){let s=Ah.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function oi(i,e){return mi("div",i,e)}var pf=new WeakMap;
+function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=pf.get(i);r!=o&&(i.style.transform=r,pf.set(i,r),e<0||t<0||e>n||t>s?Yn(i,qs):Ch(i,qs))}var mf=new WeakMap;
+function gf(i,e,t){let n=e+t,s=mf.get(i);n!=s&&(mf.set(i,n),i.style.background=e,i.style.borderColor=t)}var _f=new WeakMap;function xf(i,e,t,n){let s=e+""+t,r=_f.
+get(i);s!=r&&(_f.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Bh={passive:!0},g_={...Bh,
+capture:!0};function Ys(i,e,t,n){e.addEventListener(i,t,n?g_:Bh)}function Rh(i,e,t,n){e.removeEventListener(i,t,Bh)}Cr&&Eh();function gi(i,e,t,n){let s;t=t||0,n=
+n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function $f(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
+s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var qf=i=>i!=null,Yf=i=>i!=null&&i>0,ka=$f(qf),__=$f(Yf);function x_(i,e,t,n=0,s=!1){
+let r=s?__:ka,o=s?Yf:qf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
+a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function za(i,e,t,n){let s=bf(i),r=bf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Zi:Zf,a=s==1?Zn:ai,l=r==1?ai:Zn,
+c=a(o(dn(i))),d=l(o(dn(e))),u=wr(t,c),h=wr(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=Qf(i,u),e=Va(e,h)),[i,e]}function kh(i,e,t,n){
+let s=za(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,yf={mode:3,pad:zh},Co={pad:0,soft:null,mode:0},y_={min:Co,max:Co};function Oa(i,e,t,n){return Ga(
+t)?vf(i,e,t):(Co.pad=t,Co.soft=n?0:null,Co.mode=n?3:0,vf(i,e,y_))}function Mt(i,e){return i??e}function v_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
+null)return!0;e++}return!1}function vf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
+u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Zi(f),y=Un(dn(i),dn(e)),g=Zi(y),m=dn(g-p);(f<1e-24||m>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
+0)));let x=f||y||1e3,w=Zi(x),b=wr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Un(a,S<_&&i>=_?_:_i(_,S)),
+R=x*(f==0?e==0?.1:1:o),P=Dt(Va(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Un(I,P));return M==F&&M==0&&(F=100),[M,F]}var b_=new Intl.
+NumberFormat(Cr?m_.language:"en-US"),Vh=i=>b_.format(i),Jn=Math,Ua=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Un=Jn.max,wr=Jn.pow,bf=Jn.sign,Zi=Jn.
+log10,Zf=Jn.log2,M_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Un(i,e),
+t)}function Jf(i){return typeof i=="function"}function gt(i){return Jf(i)?i:()=>i}var S_=()=>{},Kf=i=>i,jf=(i,e)=>e,w_=i=>null,Sf=i=>!0,wf=(i,e)=>i==e,T_=/\.\d*?(?=9{6,}|0{6,})/gm,
+Zs=i=>{if(tp(i)||Ms.has(i))return i;let e="".concat(i),t=e.match(T_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+concat(Zs(s),"e").concat(r)}return Dt(i,n)};function Xs(i,e){return Zs(Dt(Zs(i/e))*e)}function Va(i,e){return Zs(ai(Zs(i/e))*e)}function Qf(i,e){return Zs(Zn(Zs(
+i/e))*e)}function Dt(i,e=0){if(tp(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ms=new Map;function ep(i){return((""+i).split(".")[1]||"").
+length}function Po(i,e,t,n){let s=[],r=n.map(ep);for(let o=e;o<t;o++){let a=dn(o),l=Dt(wr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
+o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ms.set(h,u)}}return s}var Ro={},Gh=[],Tr=[null,null],bs=Array.isArray,tp=Number.isInteger,A_=i=>i===
+void 0;function Tf(i){return typeof i=="string"}function Ga(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function E_(i){return i!=null&&
+typeof i=="object"}var C_=Object.getPrototypeOf(Uint8Array),np="__proto__";function Ar(i,e=Ga){let t;if(bs(i)){let n=i.find(s=>s!=null);if(bs(n)||e(n)){t=Array(
+i.length);for(let s=0;s<i.length;s++)t[s]=Ar(i[s],e)}else t=i.slice()}else if(i instanceof C_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=np&&(t[n]=Ar(i[n],
+e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=np&&(Ga(i[s])?on(i[s],Ar(n[s])):i[s]=Ar(n[s]))}return i}
+var R_=0,P_=1,I_=2;function L_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
+s++]=null}}}function N_(i,e){if(F_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return O_(o[0])||(o=U_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
-n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:C_,f=[];for(let p=0;p<d.length;p++){
-let y=d[p],m=r.get(l[p]);y===null?h!=E_&&(u[m]=y,h==R_&&f.push(m)):u[m]=y}P_(u,f,s),n.push(u)}}return n}var L_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
-i):queueMicrotask;function N_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
-let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function D_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
-length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function U_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
-null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Dn(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
-var np=["January","February","March","April","May","June","July","August","September","October","November","December"],ip=["Sunday","Monday","Tuesday","Wednesda\
-y","Thursday","Friday","Saturday"];function sp(i){return i.slice(0,3)}var F_=ip.map(sp),O_=np.map(sp),B_={MMMM:np,MMM:O_,WWWW:ip,WWW:F_};function wo(i){return(i<
-10?"0":"")+i}function k_(i){return(i<10?"00":i<100?"0":"")+i}var z_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
+n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:P_,f=[];for(let p=0;p<d.length;p++){
+let y=d[p],g=r.get(l[p]);y===null?h!=R_&&(u[g]=y,h==I_&&f.push(g)):u[g]=y}L_(u,f,s),n.push(u)}}return n}var D_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+i):queueMicrotask;function U_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
+let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function F_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
+length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function O_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
+null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Un(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
+var ip=["January","February","March","April","May","June","July","August","September","October","November","December"],sp=["Sunday","Monday","Tuesday","Wednesda\
+y","Thursday","Friday","Saturday"];function rp(i){return i.slice(0,3)}var B_=sp.map(rp),k_=ip.map(rp),z_={MMMM:ip,MMM:k_,WWWW:sp,WWW:B_};function wo(i){return(i<
+10?"0":"")+i}function V_(i){return(i<10?"00":i<100?"0":"")+i}var G_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
 MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>wo(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>wo(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.
 getDay()],HH:i=>wo(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?
-"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>wo(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>wo(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>k_(i.getMilliseconds())};
-function Gh(i,e){e=e||B_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?z_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
-o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var V_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function G_(i,e){let t;return e=="UTC"||e=="Etc/UT\
-C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==V_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var rp=i=>i%
-1==0,Oa=[1,2,2.5,5],H_=Po(10,-32,0,Oa),op=Po(10,0,32,Oa),W_=op.filter(rp),$s=H_.concat(op),Hh="\n",ap="{YYYY}",Tf=Hh+ap,lp="{M}/{D}",Eo=Hh+lp,La=Eo+"/{YY}",cp="\
-{aa}",X_="{h}:{mm}",Mr=X_+cp,Af=Hh+Mr,Ef=":{ss}",Tt=null;function hp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Po(10,0,3,Oa).filter(rp):Po(10,-3,
-0,Oa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
-o*25,o*50,o*100]),c=[[o,ap,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Tf,Tt,Tt,Tt,Tt,Tt,1],[s,lp,Tf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+cp,La,Tt,Eo,Tt,Tt,Tt,1],[t,Mr,La,Tt,Eo,Tt,
-Tt,Tt,1],[e,Ef,La+" "+Mr,Tt,Eo+" "+Mr,Tt,Af,Tt,1],[i,Ef+".{fff}",La+" "+Mr,Tt,Eo+" "+Mr,Tt,Af,Tt,1]];function d(u){return(h,f,p,y,m,g)=>{let x=[],w=m>=o,b=m>=r&&
-m<o,C=u(p),S=Dt(C*i,3),_=Mh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let P=b?m/r:0,R=w?m/o:0,I=S==M?S:Dt(Mh(_.getFullYear()+R,_.
-getMonth()+P,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=Mh(z+R*G,D+P*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
-x.push(I)}}else{let P=m>=s?s:m,R=Zn(p)-Zn(S),I=M+R+za(S-M,P);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
-G;for(;I=Dt(I+m,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/m,3)*Y>=.7&&x.
-push(I)}else x.push(I)}return x}}return[l,c,d]}var[$_,q_,Y_]=hp(1),[Z_,J_,K_]=hp(.001);Po(2,-53,53,[1]);function Cf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Rf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),m=y.getFullYear(),
-g=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=m!=l&&a[2]||g!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-m,c=g,d=x,u=w,h=b,f=C,S(y)})}}function j_(i,e){let t=Gh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Mh(i,e,t){return new Date(i,e,t)}function Pf(i,e){return e(
-i)}var Q_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function If(i,e){return(t,n,s,r)=>r==null?Fh:e(i(n))}function ex(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
-points.width?t.points.stroke(i,e):null}function tx(i,e){return i.series[e].fill(i,e)}var nx={show:!0,live:!0,isolate:!1,mount:b_,markers:{show:!0,width:2,stroke:ex,
-fill:tx,dash:"solid"},idx:null,idxs:null,values:[]};function ix(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,To,s),zt(n,Ao,s);let r=s/-2;zt(n,"marginLef\
-t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function sx(i,e){let t=i.series[e].points;return t._fill||t._stroke}function rx(i,e){
-let t=i.series[e].points;return t._stroke||t._fill}function ox(i,e){return i.series[e].points.size}var Sh=[0,0];function ax(i,e,t){return Sh[0]=e,Sh[1]=t,Sh}function Na(i,e,t,n=!0){
-return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function wh(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var lx={show:!0,x:!0,y:!0,lock:!1,move:ax,points:{one:!1,
-show:ix,size:ox,width:0,stroke:rx,fill:sx},bind:{mousedown:Na,mouseup:Na,click:Na,dblclick:Na,mousemove:wh,mouseleave:wh,mouseenter:wh},drag:{setScale:!0,x:!0,y:!1,
+"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>wo(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>wo(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>V_(i.getMilliseconds())};
+function Hh(i,e){e=e||z_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?G_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
+o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var H_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function W_(i,e){let t;return e=="UTC"||e=="Etc/UT\
+C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==H_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var op=i=>i%
+1==0,Ba=[1,2,2.5,5],X_=Po(10,-32,0,Ba),ap=Po(10,0,32,Ba),$_=ap.filter(op),$s=X_.concat(ap),Wh="\n",lp="{YYYY}",Af=Wh+lp,cp="{M}/{D}",Eo=Wh+cp,Na=Eo+"/{YY}",hp="\
+{aa}",q_="{h}:{mm}",Mr=q_+hp,Ef=Wh+Mr,Cf=":{ss}",Tt=null;function up(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Po(10,0,3,Ba).filter(op):Po(10,-3,
+0,Ba)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
+o*25,o*50,o*100]),c=[[o,lp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Af,Tt,Tt,Tt,Tt,Tt,1],[s,cp,Af,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+hp,Na,Tt,Eo,Tt,Tt,Tt,1],[t,Mr,Na,Tt,Eo,Tt,
+Tt,Tt,1],[e,Cf,Na+" "+Mr,Tt,Eo+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Na+" "+Mr,Tt,Eo+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,g,m)=>{let x=[],w=g>=o,b=g>=r&&
+g<o,C=u(p),S=Dt(C*i,3),_=Sh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let R=b?g/r:0,P=w?g/o:0,I=S==M?S:Dt(Sh(_.getFullYear()+P,_.
+getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=Sh(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
+x.push(I)}}else{let R=g>=s?s:g,P=Zn(p)-Zn(S),I=M+P+Va(S-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=g/n,G=h.axes[f]._space,Y=m/
+G;for(;I=Dt(I+g,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/g,3)*Y>=.7&&x.
+push(I)}else x.push(I)}return x}}return[l,c,d]}var[Y_,Z_,J_]=up(1),[K_,j_,Q_]=up(.001);Po(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),g=y.getFullYear(),
+m=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=g!=l&&a[2]||m!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+g,c=m,d=x,u=w,h=b,f=C,S(y)})}}function ex(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
+i)}var tx="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Lf(i,e){return(t,n,s,r)=>r==null?Oh:e(i(n))}function nx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
+points.width?t.points.stroke(i,e):null}function ix(i,e){return i.series[e].fill(i,e)}var sx={show:!0,live:!0,isolate:!1,mount:S_,markers:{show:!0,width:2,stroke:nx,
+fill:ix,dash:"solid"},idx:null,idxs:null,values:[]};function rx(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,To,s),zt(n,Ao,s);let r=s/-2;zt(n,"marginLef\
+t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function ox(i,e){let t=i.series[e].points;return t._fill||t._stroke}function ax(i,e){
+let t=i.series[e].points;return t._stroke||t._fill}function lx(i,e){return i.series[e].points.size}var wh=[0,0];function cx(i,e,t){return wh[0]=e,wh[1]=t,wh}function Da(i,e,t,n=!0){
+return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Th(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var hx={show:!0,x:!0,y:!0,lock:!1,move:cx,points:{one:!1,
+show:rx,size:lx,width:0,stroke:ax,fill:ox},bind:{mousedown:Da,mouseup:Da,click:Da,dblclick:Da,mousemove:Th,mouseleave:Th,mouseenter:Th},drag:{setScale:!0,x:!0,y:!1,
 dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,
-bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},up={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Wh=on({},up,{filter:Kf}),dp=on({},Wh,{size:10}),
-fp=on({},up,{show:!1}),Xh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
-moji", "Segoe UI Symbol", "Noto Color Emoji"',pp="bold "+Xh,mp=1.5,Lf={show:!0,scale:"x",stroke:Uh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:pp,
-side:2,grid:Wh,ticks:dp,border:fp,font:Xh,lineGap:mp,rotate:0},cx="Value",hx="Time",Nf={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function ux(i,e,t,n,s){
-return e.map(r=>r==null?"":zh(r))}function dx(i,e,t,n,s,r,o){let a=[],l=Ms.get(s)||0;t=o?t:Dt(za(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
-return a}function Ph(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Zi:Yf,d=Zn(c(t));s=wr(l,d),l==10&&(s=$s[gi(s,$s)]);let u=t,h=s*l;l==10&&(h=
-$s[gi(h,$s)]);do a.push(u),u=u+s,l==10&&!Ms.has(u)&&(u=Dt(u,Ms.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=$s[gi(h,$s)]));while(u<=n);return a}function fx(i,e,t,n,s,r,o){
-let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ph(i,e,Dn(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ph(i,e,Dn(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
-var gp=/./,px=/[12357]/,mx=/[125]/,Df=/1/,Ih=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function gx(i,e,t,n,s){let r=i.
-axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?gp:l(7,o)-d>=c?px:l(5,o)-d>=c?mx:Df;if(u==Df){let h=dn(l(1,o)-d);if(h<c)return Ih(
-e.slice().reverse(),a.distr,u,ai(c/h)).reverse()}return Ih(e,a.distr,u,1)}function _x(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
-2,o));return c<a?Ih(e.slice().reverse(),3,gp,ai(a/c)).reverse():e}function xx(i,e,t,n){return n==null?Fh:e==null?"":zh(e)}var Uf={show:!0,scale:"y",stroke:Uh,space:30,
-gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:pp,side:3,grid:Wh,ticks:dp,border:fp,font:Xh,lineGap:mp,rotate:0};function yx(i,e){let t=3+(i||1)*2;return Dt(
-t*e,3)}function vx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
-space*wt);return n[1]-n[0]<=c}var Ff={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},_p=(i,e,t,n,s)=>s,Of={show:!0,auto:!0,sorted:0,gaps:_p,alpha:1,facets:[on({},Ff,
-{scale:"x"}),on({},Ff,{scale:"y"})]},Bf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:_p,alpha:1,points:{show:vx,filter:null},values:null,min:Nt,max:-Nt,
-idxs:[],path:null,clip:null};function bx(i,e,t,n,s){return t/10}var xp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},Mx=on({},xp,{time:!1,
-ori:1}),kf={};function yp(i,e){let t=kf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
-t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(kf[i]=t)),t}var Er=1,Lh=2;function Js(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
+bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},dp={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Xh=on({},dp,{filter:jf}),fp=on({},Xh,{size:10}),
+pp=on({},dp,{show:!1}),$h='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
+moji", "Segoe UI Symbol", "Noto Color Emoji"',mp="bold "+$h,gp=1.5,Nf={show:!0,scale:"x",stroke:Fh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:mp,
+side:2,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0},ux="Value",dx="Time",Df={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function fx(i,e,t,n,s){
+return e.map(r=>r==null?"":Vh(r))}function px(i,e,t,n,s,r,o){let a=[],l=Ms.get(s)||0;t=o?t:Dt(Va(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
+return a}function Ih(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Zi:Zf,d=Zn(c(t));s=wr(l,d),l==10&&(s=$s[gi(s,$s)]);let u=t,h=s*l;l==10&&(h=
+$s[gi(h,$s)]);do a.push(u),u=u+s,l==10&&!Ms.has(u)&&(u=Dt(u,Ms.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=$s[gi(h,$s)]));while(u<=n);return a}function mx(i,e,t,n,s,r,o){
+let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ih(i,e,Un(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ih(i,e,Un(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
+var _p=/./,gx=/[12357]/,_x=/[125]/,Uf=/1/,Lh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function xx(i,e,t,n,s){let r=i.
+axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?_p:l(7,o)-d>=c?gx:l(5,o)-d>=c?_x:Uf;if(u==Uf){let h=dn(l(1,o)-d);if(h<c)return Lh(
+e.slice().reverse(),a.distr,u,ai(c/h)).reverse()}return Lh(e,a.distr,u,1)}function yx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
+2,o));return c<a?Lh(e.slice().reverse(),3,_p,ai(a/c)).reverse():e}function vx(i,e,t,n){return n==null?Oh:e==null?"":Vh(e)}var Ff={show:!0,scale:"y",stroke:Fh,space:30,
+gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:mp,side:3,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0};function bx(i,e){let t=3+(i||1)*2;return Dt(
+t*e,3)}function Mx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
+space*wt);return n[1]-n[0]<=c}var Of={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},xp=(i,e,t,n,s)=>s,Bf={show:!0,auto:!0,sorted:0,gaps:xp,alpha:1,facets:[on({},Of,
+{scale:"x"}),on({},Of,{scale:"y"})]},kf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:xp,alpha:1,points:{show:Mx,filter:null},values:null,min:Nt,max:-Nt,
+idxs:[],path:null,clip:null};function Sx(i,e,t,n,s){return t/10}var yp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},wx=on({},yp,{time:!1,
+ori:1}),zf={};function vp(i,e){let t=zf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
+t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(zf[i]=t)),t}var Er=1,Nh=2;function Js(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,y=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,y,Ha,Rr,Xa,bp,Sp):t(s,l,c,d,u,g,m,f,h,y,p,Wa,Pr,Yh,Mp,wp)}function $h(i,e){let t=0,
-n=0,s=Mt(i.bands,Vh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Sx(i,e,t,n,s){
+width,y=a.height,g=i.valToPosH,m=i.valToPosV;return d.ori==0?t(s,l,c,d,u,g,m,h,f,p,y,Wa,Rr,$a,Mp,wp):t(s,l,c,d,u,m,g,f,h,y,p,Xa,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
+n=0,s=Mt(i.bands,Gh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Tx(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ji(i,e,t,n,s,r){
-return Js(i,e,(o,a,l,c,d,u,h,f,p,y,m)=>{let g=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=g(u(a[b],c,y,f)),_=g(h(l[b],
-d,m,p)),M=g(u(a[C],c,y,f)),P=g(h(r==1?d.max:d.min,d,m,p)),R=new Path2D(s);return w(R,M,P),w(R,S,P),w(R,S,_),R})}function Ga(i,e,t,n,s,r){let o=null;if(i.length>
-0){o=new Path2D;let a=e==0?Xa:Yh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
-d/2,c,n+r+d)}return o}function wx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function qh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
+return Js(i,e,(o,a,l,c,d,u,h,f,p,y,g)=>{let m=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=m(u(a[b],c,y,f)),_=m(h(l[b],
+d,g,p)),M=m(u(a[C],c,y,f)),R=m(h(r==1?d.max:d.min,d,g,p)),P=new Path2D(s);return w(P,M,R),w(P,S,R),w(P,S,_),P})}function Ha(i,e,t,n,s,r){let o=null;if(i.length>
+0){o=new Path2D;let a=e==0?$a:Zh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
+d/2,c,n+r+d)}return o}function Ax(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Yh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
-0&&y<l?r(i[y]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function zf(i){return i==0?Jf:i==1?un:e=>Xs(e,i)}function vp(i){let e=i==0?Ha:
-Wa,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
+0&&y<l?r(i[y]):f;let m=h+s;p=o>=0&&m>=0&&m<l?r(i[m]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>Xs(e,i)}function bp(i){let e=i==0?Wa:
+Xa,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
-var Ha=(i,e,t)=>{i.moveTo(e,t)},Wa=(i,e,t)=>{i.moveTo(t,e)},Rr=(i,e,t)=>{i.lineTo(e,t)},Pr=(i,e,t)=>{i.lineTo(t,e)},Xa=vp(0),Yh=vp(1),bp=(i,e,t,n,s,r)=>{i.arc(e,
-t,n,s,r)},Mp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},Sp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},wp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Tp(i){
-return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,m)=>{let{pxRound:g,points:x}=o,w,b;c.ori==0?(w=Ha,b=bp):(w=Wa,b=Mp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
-_=Dt(S*2,3),M=new Path2D,P=new Path2D,{left:R,top:I,width:F,height:z}=e.bbox;Xa(P,R-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
-d,m,p));w(M,Y+S,W),b(M,Y,W,S,0,Da*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:P,flags:Er|Lh}})}function Ap(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Tx=Ap(Rr),Ax=Ap(Pr);function Ep(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,m)=>{
-[s,r]=Ba(l,s,r);let g=o.pxRound,x=z=>g(u(z,c,y,f)),w=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Rr,C=Tx):(b=Pr,C=Ax);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:Er},M=_.stroke,P=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[S==1?s:r]),Q=x(a[s]),se=x(a[r]),
+var Wa=(i,e,t)=>{i.moveTo(e,t)},Xa=(i,e,t)=>{i.moveTo(t,e)},Rr=(i,e,t)=>{i.lineTo(e,t)},Pr=(i,e,t)=>{i.lineTo(t,e)},$a=bp(0),Zh=bp(1),Mp=(i,e,t,n,s,r)=>{i.arc(e,
+t,n,s,r)},Sp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},wp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Tp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Ap(i){
+return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,g)=>{let{pxRound:m,points:x}=o,w,b;c.ori==0?(w=Wa,b=Mp):(w=Xa,b=Sp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
+_=Dt(S*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;$a(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=m(u(a[G],c,y,f)),W=m(h(l[G],
+d,g,p));w(M,Y+S,W),b(M,Y,W,S,0,Ua*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Ex=Ep(Rr),Cx=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,g)=>{
+[s,r]=ka(l,s,r);let m=o.pxRound,x=z=>m(u(z,c,y,f)),w=z=>m(h(z,d,g,p)),b,C;c.ori==0?(b=Rr,C=Ex):(b=Pr,C=Cx);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[S==1?s:r]),Q=x(a[s]),se=x(a[r]),
 de=z(S==1?Q+1:se-1);for(let ue=S==1?s:r;ue>=s&&ue<=r;ue+=S){let ee=a[ue],xe=(S==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,w(W)),Y=D=G=
-W):W<D?D=W:W>G&&(G=W)):Ee===null&&(P=!0):(D!=null&&C(M,K,w(D),w(G),w(Y),w(W)),Ee!=null?(W=Ee,b(M,xe,w(W)),D=G=Y=W):(D=G=null,Ee===null&&(P=!0)),K=xe,de=z(K+S))}
-D!=null&&D!=G&&ce!=K&&C(M,K,w(D),w(G),w(Y),w(W))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?P=!0:D!=null&&b(M,x(a[z]),w(D))}let[I,F]=$h(t,n);if(o.
+W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,w(D),w(G),w(Y),w(W)),Ee!=null?(W=Ee,b(M,xe,w(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+S))}
+D!=null&&D!=G&&ce!=K&&C(M,K,w(D),w(G),w(Y),w(W))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?R=!0:D!=null&&b(M,x(a[z]),w(D))}let[I,F]=qh(t,n);if(o.
 fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=w(D),Y=x(a[s]),W=x(a[r]);S==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
-P&&z.push(...qh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Ga(z,c.ori,f,p,y,m)}return F!=0&&(_.band=F==2?[Ji(t,n,s,r,M,-1),Ji(t,n,s,r,M,1)]:Ji(t,n,s,r,M,
-F)),_})}function Ex(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,m,g,x,w)=>{[a,l]=Ba(u,
-a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,m)),M=Q=>b(y(Q,f,w,g)),P=h.ori==0?Rr:Pr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
-flags:Er},I=R.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,P(I,Y,z)),P(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
-if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?P(I,de,z):P(I,G,ue),P(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+S,P(I,W,z));let[ce,K]=$h(r,o);if(c.fill!=null||
-ce!=0){let Q=R.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);P(Q,W,de),P(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...qh(d,u,a,l,F,_,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=Ga(Q,h.ori,m,g,x,w)}return K!=0&&(R.band=K==2?[
-Ji(r,o,a,l,I,-1),Ji(r,o,a,l,I,1)]:Ji(r,o,a,l,I,K)),R})}function Vf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
-if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Cx(i){i=i||Ro;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Ro),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,m)=>Js(
-f,p,(g,x,w,b,C,S,_,M,P,R,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Xa:Yh,se=b.
-ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Vh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
-_(ee,C,I,P)),xe,Ee,Me,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,m),lt=new Map,new Set(ut).
-forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,m),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*R,b.key,!0)));let Re=Qt.values(f,p,y,m);Qt.unit==2?Ee=Re[0]*R:Ee=S(Re[0],
-b,R,M)-S(0,b,R,M),He=Vf(x,w,S,b,R,M,He),Me=He-Ee+D}else He=Vf(x,w,S,b,R,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Jf);let Pt=Me>0,gn=He-Me-
-(Pt?nt:0);Ee=F(Rh(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,m),$t=Re.values(f,p,y,m))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:m;Re>=y&&Re<=m;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,P)}let it=b.distr!=2||c!=
-null?x[Re]:Re,Se=S(it,b,R,M),Lt=_(Mt($e,ee),C,I,P),ze=F(Se-xe),Xe=F(Dn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
-null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Dn(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Dn(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Dn(0,T-nt),$,he),
-se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Rx(i,e){
-let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,m,g)=>{[r,o]=Ba(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,m,p)),b=W=>x(f(W,u,g,y)),C,S,_;d.ori==0?
-(C=Ha,_=Rr,S=Sp):(C=Wa,_=Pr,S=wp);let M=d.dir*(d.ori==0?1:-1),P=w(l[M==1?r:o]),R=P,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=w(K);
-I.push(R=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,S,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=$h(n,s);if(a.fill!=null||G!=0){let W=z.
-fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,R,K),_(W,P,K)}if(!a.spanGaps){let W=[];W.push(...qh(l,c,r,o,M,w,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Ga(W,d.ori,p,y,m,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Px(i){return Rx(Ix,i)}function Ix(i,e,t,n,s,r){let o=i.
+R&&z.push(...Yh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Ha(z,c.ori,f,p,y,g)}return F!=0&&(_.band=F==2?[Ji(t,n,s,r,M,-1),Ji(t,n,s,r,M,1)]:Ji(t,n,s,r,M,
+F)),_})}function Rx(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,g,m,x,w)=>{[a,l]=ka(u,
+a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,g)),M=Q=>b(y(Q,f,w,m)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+flags:Er},I=P.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,R(I,Y,z)),R(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
+if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+S,R(I,W,z));let[ce,K]=qh(r,o);if(c.fill!=null||
+ce!=0){let Q=P.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);R(Q,W,de),R(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Yh(d,u,a,l,F,_,n));let se=c.width*
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Ha(Q,h.ori,g,m,x,w)}return K!=0&&(P.band=K==2?[
+Ji(r,o,a,l,I,-1),Ji(r,o,a,l,I,1)]:Ji(r,o,a,l,I,K)),P})}function Gf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
+if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Px(i){i=i||Ro;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Ro),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,g)=>Js(
+f,p,(m,x,w,b,C,S,_,M,R,P,I)=>{let F=m.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?$a:Zh,se=b.
+ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=m.fillTo(f,p,m.min,m.max,ue),me=F(
+_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(m.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,g),lt=new Map,new Set(ut).
+forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,g),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
+if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,g),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,g);Qt.unit==2?Ee=Re[0]*P:Ee=S(Re[0],
+b,P,M)-S(0,b,P,M),He=Gf(x,w,S,b,P,M,He),Me=He-Ee+D}else He=Gf(x,w,S,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
+(Pt?nt:0);Ee=F(Ph(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
+new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,g),$t=Re.values(f,p,y,g))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?y:g;Re>=y&&Re<=g;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
+null?x[Re]:Re,Se=S(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Un(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
+null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he),
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=m.width==0?m._fill:m._stroke??m._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Ix(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,g,m)=>{[r,o]=ka(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,g,p)),b=W=>x(f(W,u,m,y)),C,S,_;d.ori==0?
+(C=Wa,_=Rr,S=wp):(C=Xa,_=Pr,S=Tp);let M=d.dir*(d.ori==0?1:-1),R=w(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=w(K);
+I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,S,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
+fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Yh(l,c,r,o,M,w,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
+Ha(W,d.ori,p,y,g,m)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Lx(i){return Ix(Nx,i)}function Nx(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
-3,i[h+1],e[h+1])}return a}var Nh=new Set;function Gf(){for(let i of Nh)i.syncRect(!0)}Cr&&(Ys(u_,Sr,Gf),Ys(d_,Sr,Gf,!0),Ys(Ua,Sr,()=>{fn.pxRatio=wt}));var Lx=Ep(),
-Nx=Tp();function Hf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Dh(r,o,e,t))}function Dx(i,e){return i.map((t,n)=>n==
-0?{}:on({},e,t))}function Dh(i,e,t,n){return on({},e==0?t:n,i)}function Cp(i,e,t){return e==null?Tr:[e,t]}var Ux=Cp;function Fx(i,e,t){return e==null?Tr:Fa(e,t,
-kh,!0)}function Rp(i,e,t,n){return e==null?Tr:ka(e,t,i.scales[n].log,!1)}var Ox=Rp;function Pp(i,e,t,n){return e==null?Tr:Bh(e,t,i.scales[n].log,!1)}var Bx=Pp;function kx(i,e,t,n,s){
-let r=Dn(bf(i),bf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ms.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Wf(i){let e,
-t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function zx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
+3,i[h+1],e[h+1])}return a}var Dh=new Set;function Hf(){for(let i of Dh)i.syncRect(!0)}Cr&&(Ys(f_,Sr,Hf),Ys(p_,Sr,Hf,!0),Ys(Fa,Sr,()=>{fn.pxRatio=wt}));var Dx=Cp(),
+Ux=Ap();function Wf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Uh(r,o,e,t))}function Fx(i,e){return i.map((t,n)=>n==
+0?{}:on({},e,t))}function Uh(i,e,t,n){return on({},e==0?t:n,i)}function Rp(i,e,t){return e==null?Tr:[e,t]}var Ox=Rp;function Bx(i,e,t){return e==null?Tr:Oa(e,t,
+zh,!0)}function Pp(i,e,t,n){return e==null?Tr:za(e,t,i.scales[n].log,!1)}var kx=Pp;function Ip(i,e,t,n){return e==null?Tr:kh(e,t,i.scales[n].log,!1)}var zx=Ip;function Vx(i,e,t,n,s){
+let r=Un(Mf(i),Mf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ms.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Xf(i){let e,
+t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Gx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=oi(q0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(J0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(K0,c);Ys("\
-click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(j0,h);h.appendChild(d);let p=n.over=oi(Q0,h);i=Ar(i);let y=+Mt(i.pxAlign,1),m=zf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,x=n.series=s==1?Hf(i.series||[],Nf,Bf,!1):Dx(i.series||[null],Of),w=n.axes=Hf(i.axes||
-[],Lf,Uf,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let S=s==2?x[1].facets[0].scale:x[0].scale,_={axes:qi,
-series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function P(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>bh(N,v.asinh):
-v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function R(v){let A=b[v];if(A==null){let N=(i.scales||Ro)[v]||Ro;if(N.
-from!=null){R(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=P(U),b[v]=U}else{A=b[v]=on({},v==S?xp:Mx,N),A.key=v;let U=A.time,H=A.range,J=bs(H);if((v!=S||s==
-2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?xf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?xf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&Va(H))){let ae=H;
-H=(fe,ve,Ne)=>ve==null?Tr:Fa(ve,Ne,ae)}A.range=gt(H||(U?Ux:v==S?A.distr==3?Ox:A.distr==4?Bx:Cp:A.distr==3?Rp:A.distr==4?Pp:Fx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||bx),A._min=A._max=null,A.valToPct=P(A)}}}R("x"),R("y"),s==1&&x.forEach(v=>{R(v.scale)}),w.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let I=b[S],
-F=I.distr,z,D;I.ori==0?(Yn(c,Y0),z=r,D=o):(Yn(c,Z0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Gh,ce=g==1?Y_(Y):K_(Y),K=Rf(Y,Cf(g==1?q_:J_,W)),Q=If(Y,Pf(Q_,W)),se=[],de=n.legend=on({},nx,i.legend),
-ue=n.cursor=on({},lx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
-xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Fh}if(ee)
-if(Ee=mi("table",r_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",rf,v).
-textContent=Gt}else Yn(Ee,a_),de.live&&Yn(Ee,o_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Tr;let N=[],U=mi("tr",l_,He,
-He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,qs);let H=mi("th",null,U);if(xe.show){let fe=oi(c_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
-dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=oi(rf,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
+root=oi(Z0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(j0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(Q0,c);Ys("\
+click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(e_,h);h.appendChild(d);let p=n.over=oi(t_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),g=Vf(
+y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let m=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Fx(i.series||[null],Bf),w=n.axes=Wf(i.axes||
+[],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let S=s==2?x[1].facets[0].scale:x[0].scale,_={axes:qi,
+series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function R(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>Mh(N,v.asinh):
+v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function P(v){let A=b[v];if(A==null){let N=(i.scales||Ro)[v]||Ro;if(N.
+from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==S?yp:wx,N),A.key=v;let U=A.time,H=A.range,J=bs(H);if((v!=S||s==
+2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?yf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?yf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&Ga(H))){let ae=H;
+H=(fe,ve,Ne)=>ve==null?Tr:Oa(ve,Ne,ae)}A.range=gt(H||(U?Ox:v==S?A.distr==3?kx:A.distr==4?zx:Rp:A.distr==3?Pp:A.distr==4?Ip:Bx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+A.clamp||Sx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),w.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[S],
+F=I.distr,z,D;I.ori==0?(Yn(c,J0),z=r,D=o):(Yn(c,K0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/m))),W=i.fmtDate||Hh,ce=m==1?J_(Y):Q_(Y),K=Pf(Y,Rf(m==1?Z_:j_,W)),Q=Lf(Y,If(tx,W)),se=[],de=n.legend=on({},sx,i.legend),
+ue=n.cursor=on({},hx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
+xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Oh}if(ee)
+if(Ee=mi("table",a_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",of,v).
+textContent=Gt}else Yn(Ee,c_),de.live&&Yn(Ee,l_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Tr;let N=[],U=mi("tr",h_,He,
+He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,qs);let H=mi("th",null,U);if(xe.show){let fe=oi(u_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=oi(of,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
 (xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=x.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
 isolate){let Ne=x.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);x.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
-!1),Je&&vt(cf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",h_,U);fe.textContent="--",N.push(fe)}return[U,
+!1),Je&&vt(hf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",d_,U);fe.textContent="--",N.push(fe)}return[U,
 N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(Ys(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
-(v==null||H==v)&&(Ch(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
+(v==null||H==v)&&(Rh(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
 ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=$t=B=v,n.height=en=Re=A,$e=it=0,
 be(),Ge();let N=n.bbox;L=N.left=Xs($e*wt,.5),T=N.top=Xs(it*wt,.5),$=N.width=Xs(B*wt,.5),he=N.height=Xs(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
 let N=fr(A),U=Ci(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function be(){let v=!1,A=!1,N=!1,U=!1;w.forEach(
@@ -261,41 +261,41 @@ bt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- 
 bt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],I,Fe,0),Zt=Ye==null?1/0:z(St[Ye],I,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
 Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
-ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Rn=[];function go(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,s_),Yn(N,v.class),Ni(N,-10,-10,
-B,Re),p.insertBefore(N,ot[A]),N}function hr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?wf(U)?If(Y,Pf(U,W)):U||Q:U||xx,v.label=v.label||(N?
-hx:cx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Lx||M_,v.fillTo=gt(v.fillTo||Sx),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=zf(v.pxAlign),v.stroke=
-gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=yx(Dn(1,v.width),1),U=v.points=on({},{size:N,width:Dn(1,N*.2),stroke:v.
-stroke,space:N*2,paths:Nx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
+ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function go(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,o_),Yn(N,v.class),Ni(N,-10,-10,
+B,Re),p.insertBefore(N,ot[A]),N}function hr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Tf(U)?Lf(Y,If(U,W)):U||Q:U||vx,v.label=v.label||(N?
+dx:ux)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Dx||w_,v.fillTo=gt(v.fillTo||Tx),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=Vf(v.pxAlign),v.stroke=
+gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=bx(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
+stroke,space:N*2,paths:Ux,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
 U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=go(v,A)):
-A>0&&(N=go(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Rn.splice(A,0,0)}yn("addSeries",A)}function lh(v,A){A=A??x.length,v=s==1?Dh(v,A,Nf,Bf):Dh(v,A,{},Of),x.splice(
-A,0,v),hr(x[A],A)}n.addSeries=lh;function Ea(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
-me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Rn.splice(v,1)),yn("delSeries",v)}n.delSeries=Ea;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
+A>0&&(N=go(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??x.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),x.splice(
+A,0,v),hr(x[A],A)}n.addSeries=ch;function Ca(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
+me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Ca;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
 v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:S,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,Qf(ae))}),v.incrs=gt(v.incrs||(U.distr==2?W_:H?g==1?$_:Z_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
-U.distr==3?Ph:U.distr==4?fx:dx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
-values;v.values=bs(J)&&!bs(J[0])?gt(J):H?bs(J)?Rf(Y,Cf(J,W)):wf(J)?j_(Y,J):J||K:J||ux,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?gx:U.distr==3&&U.log==2?_x:Kf)),
-v.font=Wf(v.font),v.labelFont=Wf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
-oi(e_,h))}}function Xi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Lf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
-!fe?un(Uf.size/2):0),Ne}let _o=n.padding=(i.padding||[Xi,Xi,Xi,Xi]).map(v=>gt(Mt(v,Xi))),di=n._padding=_o.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?x[0].
+bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?$_:H?m==1?Y_:K_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+U.distr==3?Ih:U.distr==4?mx:px)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
+values;v.values=bs(J)&&!bs(J[0])?gt(J):H?bs(J)?Pf(Y,Rf(J,W)):Tf(J)?ex(Y,J):J||K:J||fx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?xx:U.distr==3&&U.log==2?yx:jf)),
+v.font=Xf(v.font),v.labelFont=Xf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
+oi(n_,h))}}function Xi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Nf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
+!fe?un(Ff.size/2):0),Ne}let _o=n.padding=(i.padding||[Xi,Xi,Xi,Xi]).map(v=>gt(Mt(v,Xi))),di=n._padding=_o.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?x[0].
 idxs:null,Wn=null,ms=!1;function xo(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
 e=[[]]),Wn=e[0],qt=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
 !1){let N=I;N.auto(n,ms)?yo():xs(S,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=xo;function yo(){ms=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=ka(v,v,I.log,!1):F==4?[v,A]=Bh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Fa(v,A,kh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
-A=null)),xs(S,v,A)}let ur,gs,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=af,N??=Vh,U??="butt",H??=af,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=gs&&(u.fillStyle=
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=za(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/m):[v,A]=Oa(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=null)),xs(S,v,A)}let ur,gs,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=lf,N??=Gh,U??="butt",H??=lf,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=gs&&(u.fillStyle=
 gs=H),A!=dr&&(u.lineWidth=dr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=gs&&(u.fillStyle=gs=A),v!=q&&(u.font=
 q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,ms)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
-U.length-1),fe=N.min==null?g_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Dn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
+U.length-1),fe=N.min==null?x_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
 for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[S]!=null&&H.auto(n,ms))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
-(G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],T_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
+(G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],E_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){x.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
 fe=J.scale,ve=ae.scale,[Ne,De]=e[H],Fe=v[fe],tt=v[ve];Fe!=null&&ke(Fe,G[fe],J,Ne,J.sorted),tt!=null&&ke(tt,G[ve],ae,De,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in v){
 let H=v[U],J=G[U];if(H.from==null&&(J==null||J.min==null)){let ae=H.range(n,H.min==Nt?null:H.min,H.max==-Nt?null:H.max,U);H.min=ae[0],H.max=ae[1]}}}for(let U in v){
 let H=v[U];if(H.from!=null){let J=v[H.from];if(J.min==null)H.min=H.max=null;else{let ae=H.range(n,J.min,J.max,U);H.min=ae[0],H.max=ae[1]}}}let A={},N=!1;for(let U in v){
-let H=v[U],J=b[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?bh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
-J._max=ae==3?Zi(J.max):ae==4?bh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){x.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
-null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Rh(Kt-1,0,qt-1),N=Rh(jt+1,0,qt-1);for(;v[A]==
+let H=v[U],J=b[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?Mh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
+J._max=ae==3?Zi(J.max):ae==4?Mh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){x.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
+null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Ph(Kt-1,0,qt-1),N=Ph(jt+1,0,qt-1);for(;v[A]==
 null&&A>0;)A--;for(;v[N]==null&&N<qt-1;)N++;return[A,N]}function ft(){if(qt>0){let v=x.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),x.forEach(
 (A,N)=>{if(N>0&&A.show&&(Xt(N,!1),Xt(N,!0),A._paths==null)){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha);let H=s==2?[0,e[N][0].length-1]:Be(e[N]);A._paths=A.
 paths(n,N,H[0],H[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),x.forEach((A,N)=>{if(N>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(N,!1);
@@ -305,163 +305,163 @@ function Et(v,A){let N=A?x[v].points:x[v],{stroke:U,fill:H,clip:J,flags:ae,_stro
 Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=L-Ne/2,bt=T-Ne/2,pt=$+Ne,Ye=he+Ne;De=new Path2D,De.rect(
 St,bt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
 ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=x[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Ro).band;bs(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
-bt.show&&Ye&&x_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Er|
-Lh;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
-H,ae),tn(v,J,A)):fe&Lh?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Er&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
+bt.show&&Ye&&v_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Er|
+Nh;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
+H,ae),tn(v,J,A)):fe&Nh?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Er&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
 Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=ur=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
 Map?A.forEach((N,U)=>{u.fillStyle=gs=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function $i(v,A,N,U){let H=w[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
-U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=kx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
+U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Vx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,St,bt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,bt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=bt=v[Ye],
 u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),y==1&&u.translate(-De,-De)}function fr(v){let A=!0;return w.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
 min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=$i(U,fe,ve,ae==0?B:Re);
 if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,bt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
 N.values(n,N.filter(n,St,U,De,bt),U,De,bt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=ai(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
 let A=!0;return _o.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function qi(){for(let v=0;v<w.length;v++){let A=w[v];if(!A.show||!A._show)continue;
-let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Ln=A.labelGap*fe,qn=un((A._lpos+Ln)*wt);Ie(A.labelFont[0],ae,"\
-center",N==2?"top":of),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Da:Da)/2)):(H=un(L+$/2),J=qn);let Ws=Zf(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(Ws,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Ln=>Wn[Ln]):St,pt=De.distr==2?Wn[St[1]]-
-Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Da/180,Jt=m(A._pos*wt),Xn=(Zt+
-vn)*fe,In=Jt+Xn;J=U==0?In:0,H=U==1?In:0;let si=A.font[0],fi=A.align==1?br:A.align==2?xh:It>0?br:It<0?xh:U==0?"center":N==3?xh:br,Ii=It||U==1?"middle":N==2?"top":
-of;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Ln=>m(a(Ln,De,Fe,tt))),pi=A._values;for(let Ln=0;Ln<pi.length;Ln++){let qn=pi[Ln];if(qn!=null){U==0?H=ri[Ln]:
-J=ri[Ln],qn=""+qn;let Ws=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Nn=0;Nn<Ws.length;Nn++){let ef=Ws[Nn];It?(u.save(),u.translate(H,J+Nn*$n),u.rotate(It),
-u.fillText(ef,0,0),u.restore()):u.fillText(ef,H,J+Nn*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
+let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,qn=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
+center",N==2?"top":af),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Ua:Ua)/2)):(H=un(L+$/2),J=qn);let Ws=Jf(A.label)?A.label(n,v,ve,Ne):A.label;
+u.fillText(Ws,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
+Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Ua/180,Jt=g(A._pos*wt),Xn=(Zt+
+vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,H=U==1?Ln:0;let si=A.font[0],fi=A.align==1?br:A.align==2?yh:It>0?br:It<0?yh:U==0?"center":N==3?yh:br,Ii=It||U==1?"middle":N==2?"top":
+af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Nn=>g(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let qn=pi[Nn];if(qn!=null){U==0?H=ri[Nn]:
+J=ri[Nn],qn=""+qn;let Ws=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Dn=0;Dn<Ws.length;Dn++){let tf=Ws[Dn];It?(u.save(),u.translate(H,J+Dn*$n),u.rotate(It),
+u.fillText(tf,0,0),u.restore()):u.fillText(tf,H,J+Dn*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
 grid;Li.show&&nn(ri,Li.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
 2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){x.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
-max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,Pn=!1,Rt=[];function sn(){Pn=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
-Yt||(L_(Fd),Yt=!0)}function Ca(v,A=!1){Yt=!0,Pn=A,v(n),Fd(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ca;function Fd(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
+max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,In=!1,Rt=[];function sn(){In=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
+Yt||(D_(Od),Yt=!0)}function Ra(v,A=!1){Yt=!0,In=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ra;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,br,$e),zt(f,"top",it),zt(f,To,B),zt(f,Ao,Re),zt(p,br,$e),zt(p,"top",it),zt(p,To,B),zt(p,Ao,Re),zt(h,To,$t),zt(h,Ao,en),d.width=un($t*wt),d.height=un(en*
 wt),w.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
-zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Eh(v,qs)}else Yn(v,qs)}),ur=gs=dr=k=j=q=Z=Te=E=null,Pe=1,Mo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
+zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ch(v,qs)}else Yn(v,qs)}),ur=gs=dr=k=j=q=Z=Te=E=null,Pe=1,Mo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
 ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,pr&&Ni(pr,un(ue.left),0,B,Re),mr&&Ni(mr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
-U!=null&&(Ft[N]*=v,Rn[N]*=A,Ni(U,ai(Ft[N]),ai(Rn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in ph)
+U!=null&&(Ft[N]*=v,Pn[N]*=A,Ni(U,ai(Ft[N]),ai(Pn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in mh)
 zt(xr,N,Bt[N])}Se=$e,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}$t>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),M.forEach(v=>v()),yn("draw")),Bt.show&&
-ie&&(Ra(Bt),ie=!1),me&&te&&(Hs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(dh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),ms=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
-!1?xs(S,I.min,I.max):Tn()};function ch(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
+ie&&(Pa(Bt),ie=!1),me&&te&&(Hs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(fh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),ms=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
+!1?xs(S,I.min,I.max):Tn()};function hh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
 A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==S&&N.distr==2&&qt>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
-A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=ch;let hh,uh,pr,mr,Od,Bd,gr,_r,kd,zd,Ot,Ht,_s=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(hh=oi(n_,p)),ue.y&&(uh=oi(i_,p)),
-I.ori==0?(pr=hh,mr=uh):(pr=uh,mr=hh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),xr=Bt.show?oi(t_,Bt.over?
-p:f):null;function Ra(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in ph&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ra;function L0(v){if(x[v].show)ee&&
-Eh(nt[v],qs);else if(ee&&Yn(nt[v],qs),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function xs(v,A,N){ch(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
-null&&O0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,L0(J),s==2?(xs(H.facets[0].scale,null,null),xs(H.facets[1].scale,null,null)):xs(
-H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&So("setSeries",n,v,A)}n.setSeries=Ri;function N0(v,A){on(C[v],A)}function D0(v,A){v.fill=gt(v.fill||null),
-v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function U0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=D0,n.setBand=N0,n.delBand=U0;function F0(v,A){x[v].alpha=
-A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,ys,Gs,yr={focus:!0};function O0(v){if(v!=Gs){let A=v==null,N=Oe.alpha!=1;x.
-forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&F0(H,J?1:Oe.alpha)}}),Gs=v,N&&Tn()}}ee&&Je&&vt(hf,Ee,v=>{ue._lock||(Ze(v),Gs!=null&&Ri(null,
+A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=hh;let uh,dh,pr,mr,Bd,kd,gr,_r,zd,Vd,Ot,Ht,_s=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(uh=oi(s_,p)),ue.y&&(dh=oi(r_,p)),
+I.ori==0?(pr=uh,mr=dh):(pr=dh,mr=uh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),xr=Bt.show?oi(i_,Bt.over?
+p:f):null;function Pa(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in mh&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Pa;function D0(v){if(x[v].show)ee&&
+Ch(nt[v],qs);else if(ee&&Yn(nt[v],qs),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function xs(v,A,N){hh(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
+null&&k0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,D0(J),s==2?(xs(H.facets[0].scale,null,null),xs(H.facets[1].scale,null,null)):xs(
+H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&So("setSeries",n,v,A)}n.setSeries=Ri;function U0(v,A){on(C[v],A)}function F0(v,A){v.fill=gt(v.fill||null),
+v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function O0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=F0,n.setBand=U0,n.delBand=O0;function B0(v,A){x[v].alpha=
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,ys,Gs,yr={focus:!0};function k0(v){if(v!=Gs){let A=v==null,N=Oe.alpha!=1;x.
+forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&B0(H,J?1:Oe.alpha)}}),Gs=v,N&&Tn()}}ee&&Je&&vt(uf,Ee,v=>{ue._lock||(Ze(v),Gs!=null&&Ri(null,
 yr,!0,rn.setSeries))});function Pi(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:$e));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
-H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?v_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function B0(v,A){let N=Pi(v,S,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
-v=>gi(v,e[0]),n.posToIdx=B0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
-Hs(null,A,N)};function Vd(v,A){zt(xr,br,Bt.left=v),zt(xr,To,Bt.width=A)}function Gd(v,A){zt(xr,"top",Bt.top=v),zt(xr,Ao,Bt.height=A)}let vo=I.ori==0?Vd:Gd,bo=I.
-ori==1?Vd:Gd;function k0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
-A[U]}}function dh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):w_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
-s==1&&!lt)&&z0(N,se[N]);k0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=dh;function z0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
-n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Hs(v,A,N){kd=Ot,zd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(pr&&Ni(pr,un(Ot),0,
+H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?M_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function z0(v,A){let N=Pi(v,S,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
+v=>gi(v,e[0]),n.posToIdx=z0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
+Hs(null,A,N)};function Gd(v,A){zt(xr,br,Bt.left=v),zt(xr,To,Bt.width=A)}function Hd(v,A){zt(xr,"top",Bt.top=v),zt(xr,Ao,Bt.height=A)}let vo=I.ori==0?Gd:Hd,bo=I.
+ori==1?Gd:Hd;function V0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
+A[U]}}function fh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):A_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
+s==1&&!lt)&&G0(N,se[N]);V0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=fh;function G0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
+n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Hs(v,A,N){zd=Ot,Vd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(pr&&Ni(pr,un(Ot),0,
 B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Yi=Nt,ys=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<x.length;fe++){
 let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,yr,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
 fe,S),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<x.length;We++){let kt=x[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
-let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),In=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
-1?Ot:Ht,fi=dn(Oe.dist(n,We,It,In,si));if(fi<Yi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
-1?Jt<=$n:Jt>=$n)&&(Yi=fi,ys=We)}else Yi=fi,ys=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=In):(si=In,fi=Xn);let Ii,$n,ri,pi,Li,Ln,qn=!0,Ws=le.bbox;if(Ws!=null){
-qn=!1;let Nn=Ws(n,We);ri=Nn.left,pi=Nn.top,Ii=Nn.width,$n=Nn.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Ln=le.fill(n,We),Li=le.stroke(n,We),Ce)We==ys&&Yi<=Oe.
-prox&&(De=ri,Fe=pi,tt=Ii,St=$n,bt=qn,pt=Ln,Ye=Li);else{let Nn=ot[We];Nn!=null&&(Ft[We]=ri,Rn[We]=pi,_f(Nn,Ii,$n,qn),mf(Nn,Ln,Li),Ni(Nn,ai(ri),ai(pi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=Gs==null?Yi<=We:Yi>We||ys!=Gs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Rn[0]=Fe,_f(Zt,tt,St,bt),mf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
+let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Ln=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
+1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Ln,si));if(fi<Yi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
+1?Jt<=$n:Jt>=$n)&&(Yi=fi,ys=We)}else Yi=fi,ys=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=Ln):(si=Ln,fi=Xn);let Ii,$n,ri,pi,Li,Nn,qn=!0,Ws=le.bbox;if(Ws!=null){
+qn=!1;let Dn=Ws(n,We);ri=Dn.left,pi=Dn.top,Ii=Dn.width,$n=Dn.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==ys&&Yi<=Oe.
+prox&&(De=ri,Fe=pi,tt=Ii,St=$n,bt=qn,pt=Nn,Ye=Li);else{let Dn=ot[We];Dn!=null&&(Ft[We]=ri,Pn[We]=pi,xf(Dn,Ii,$n,qn),gf(Dn,Nn,Li),Ni(Dn,ai(ri),ai(pi),B,Re))}}}}if(Ce){
+let We=Oe.prox,kt=Gs==null?Yi<=We:Yi>We||ys!=Gs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,xf(Zt,tt,St,bt),gf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
 show&&_s)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:bt,top:pt,width:Ye,
-height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,In,si=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);si&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
-b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),In=z(Zt(vn+It,Fe),Jt,J,0),vo(_i(Xn,In),dn(In-Xn))):vo(0,J),fi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
-0),In=D(Zt(vn+It,tt),Jt,ae,0),bo(_i(Xn,In),dn(In-Xn))):bo(0,ae)}else mh()}else{let fe=dn(kd-Od),ve=dn(zd-Bd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
+height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Ln,si=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);si&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
+b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),vo(_i(Xn,Ln),dn(Ln-Xn))):vo(0,J),fi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
+0),Ln=D(Zt(vn+It,tt),Jt,ae,0),bo(_i(Xn,Ln),dn(Ln-Xn))):bo(0,ae)}else gh()}else{let fe=dn(zd-Bd),ve=dn(Vd-kd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
 dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
 0?(De=gr,Fe=Ot):(De=_r,Fe=Ht),vo(_i(De,Fe),dn(Fe-De)),xn||bo(0,ae)),xn&&(I.ori==1?(De=gr,Fe=Ot):(De=_r,Fe=Ht),bo(_i(De,Fe),dn(Fe-De)),_n||vo(0,J)),!_n&&!xn&&(vo(
-0,0),bo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(Qd!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
-ori==1?Ot:Ht,ve):null}So(yh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;Gs==null?Yi<=ve&&Ri(ys,yr,!0,fe):Yi>ve?Ri(null,yr,!0,fe):ys!=Gs&&Ri(ys,yr,!0,
-fe)}}pe&&(de.idx=U,dh()),A!==!1&&yn("setCursor")}let vs=null;Object.defineProperty(n,"rect",{get(){return vs==null&&Mo(!1),vs}});function Mo(v=!1){v?vs=null:(vs=
-p.getBoundingClientRect(),yn("syncRect",vs))}function Hd(v,A,N,U,H,J,ae){ue._lock||_s&&v!=null&&v.movementX==0&&v.movementY==0||(fh(v,A,N,U,H,J,ae,!1,v!=null),v!=
-null?Hs(null,!0,!0):Hs(A,!0,!1))}function fh(v,A,N,U,H,J,ae,fe,ve){if(vs==null&&Mo(!1),Ze(v),v!=null)N=v.clientX-vs.left,U=v.clientY-vs.top;else{if(N<0||U<0){Ot=
+0,0),bo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(ef!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
+ori==1?Ot:Ht,ve):null}So(vh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;Gs==null?Yi<=ve&&Ri(ys,yr,!0,fe):Yi>ve?Ri(null,yr,!0,fe):ys!=Gs&&Ri(ys,yr,!0,
+fe)}}pe&&(de.idx=U,fh()),A!==!1&&yn("setCursor")}let vs=null;Object.defineProperty(n,"rect",{get(){return vs==null&&Mo(!1),vs}});function Mo(v=!1){v?vs=null:(vs=
+p.getBoundingClientRect(),yn("syncRect",vs))}function Wd(v,A,N,U,H,J,ae){ue._lock||_s&&v!=null&&v.movementX==0&&v.movementY==0||(ph(v,A,N,U,H,J,ae,!1,v!=null),v!=
+null?Hs(null,!0,!0):Hs(A,!0,!1))}function ph(v,A,N,U,H,J,ae,fe,ve){if(vs==null&&Mo(!1),Ze(v),v!=null)N=v.clientX-vs.left,U=v.clientY-vs.top;else{if(N<0||U<0){Ot=
 -10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[bt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
-B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,In=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(In/Jt),I.
-ori==1){let si=N;N=U,U=si}}ve&&(A==null||A.cursor.event.type==yh)&&((N<=1||N>=B-1)&&(N=Xs(N,B)),(U<=1||U>=Re-1)&&(U=Xs(U,Re))),fe?(Od=N,Bd=U,[gr,_r]=ue.move(n,N,
-U)):(Ot=N,Ht=U)}let ph={width:0,height:0,left:0,top:0};function mh(){Ra(ph,!1)}let Wd,Xd,$d,qd;function Yd(v,A,N,U,H,J,ae){_s=!0,_n=xn=Sn._x=Sn._y=!1,fh(v,A,N,U,
-H,J,ae,!0,!1),v!=null&&(vt(vh,Th,Zd,!1),So(lf,n,gr,_r,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Wd=fe,Xd=ve,$d=Ne,qd=De}function Zd(v,A,N,U,H,J,ae){
-_s=Sn._x=Sn._y=!1,fh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Wd!=fe||Xd!=ve||$d!=Ne||qd!=De;if(Fe&&tt&&Ra(Bt),Sn.setScale&&
+B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Ln=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(Ln/Jt),I.
+ori==1){let si=N;N=U,U=si}}ve&&(A==null||A.cursor.event.type==vh)&&((N<=1||N>=B-1)&&(N=Xs(N,B)),(U<=1||U>=Re-1)&&(U=Xs(U,Re))),fe?(Bd=N,kd=U,[gr,_r]=ue.move(n,N,
+U)):(Ot=N,Ht=U)}let mh={width:0,height:0,left:0,top:0};function gh(){Pa(mh,!1)}let Xd,$d,qd,Yd;function Zd(v,A,N,U,H,J,ae){_s=!0,_n=xn=Sn._x=Sn._y=!1,ph(v,A,N,U,
+H,J,ae,!0,!1),v!=null&&(vt(bh,Ah,Jd,!1),So(cf,n,gr,_r,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Xd=fe,$d=ve,qd=Ne,Yd=De}function Jd(v,A,N,U,H,J,ae){
+_s=Sn._x=Sn._y=!1,ph(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Xd!=fe||$d!=ve||qd!=Ne||Yd!=De;if(Fe&&tt&&Pa(Bt),Sn.setScale&&
 Fe&&tt){let St=fe,bt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,bt=De,pt=fe,Ye=Ne),_n&&xs(S,Pi(St,S),Pi(St+bt,S)),xn)for(let We in b){let kt=b[We];We!=S&&kt.from==null&&
-kt.min!=Nt&&xs(We,Pi(pt+Ye,We),Pi(pt,We))}mh()}else ue.lock&&(ue._lock=!ue._lock,Hs(A,!0,v!=null));v!=null&&(cn(vh,Th),So(vh,n,Ot,Ht,B,Re,null))}function V0(v,A,N,U,H,J,ae){
+kt.min!=Nt&&xs(We,Pi(pt+Ye,We),Pi(pt,We))}gh()}else ue.lock&&(ue._lock=!ue._lock,Hs(A,!0,v!=null));v!=null&&(cn(bh,Ah),So(bh,n,Ot,Ht,B,Re,null))}function H0(v,A,N,U,H,J,ae){
 if(ue._lock)return;Ze(v);let fe=_s;if(_s){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
-ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Hs(null,!0,!0),_s=!1}Ot=-10,Ht=-10,se.fill(null),Hs(null,!0,!0),fe&&(_s=fe)}function Jd(v,A,N,U,H,J,ae){ue._lock||(Ze(
-v),yo(),mh(),v!=null&&So(uf,n,Ot,Ht,B,Re,null))}function Kd(){w.forEach(zx),O(n.width,n.height,!0)}Ys(Ua,Sr,Kd);let vr={};vr.mousedown=Yd,vr.mousemove=Hd,vr.mouseup=
-Zd,vr.dblclick=Jd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(lf,p,Yd),vt(yh,p,Hd),vt(cf,p,v=>{Ze(v),Mo(!1)}),vt(hf,p,V0),
-vt(uf,p,Jd),Nh.add(n),n.syncRect=Mo);let Pa=n.hooks=i.hooks||{};function yn(v,A,N){Pn?Rt.push([v,A,N]):v in Pa&&Pa[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
-[]).forEach(v=>{for(let A in v.hooks)Pa[A]=(Pa[A]||[]).concat(v.hooks[A])});let jd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Mf,sub:Mf},scales:[S,x[1]?
-x[1].scale:null],match:[Sf,Sf,jd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(jd),ue.sync=rn;let Qd=rn.key,gh=yp(Qd);function So(v,A,N,U,H,J,ae){
-rn.filters.pub(v,A,N,U,H,J,ae)&&gh.pub(v,A,N,U,H,J,ae)}gh.sub(n);function G0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=G0;function H0(){
-gh.unsub(n),Nh.delete(n),gn.clear(),Ch(Ua,Sr,Kd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=H0;function _h(){yn("init",i,e),xo(e||i.data,!1),G[S]?ch(S,G[S]):
-yo(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(hr),w.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),_h()):t(
-n,_h):_h(),n}fn.assign=on;fn.fmtNum=zh;fn.rangeNum=Fa;fn.rangeLog=ka;fn.rangeAsinh=Bh;fn.orient=Js;fn.pxRatio=wt;fn.join=I_;fn.fmtDate=Gh,fn.tzDate=G_;fn.sync=yp;
-{fn.addGap=wx,fn.clipGaps=Ga;let i=fn.paths={points:Tp};i.linear=Ep,i.stepped=Ex,i.bars=Cx,i.spline=Px}function Ki(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
+ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Hs(null,!0,!0),_s=!1}Ot=-10,Ht=-10,se.fill(null),Hs(null,!0,!0),fe&&(_s=fe)}function Kd(v,A,N,U,H,J,ae){ue._lock||(Ze(
+v),yo(),gh(),v!=null&&So(df,n,Ot,Ht,B,Re,null))}function jd(){w.forEach(Gx),O(n.width,n.height,!0)}Ys(Fa,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
+Jd,vr.dblclick=Kd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(cf,p,Zd),vt(vh,p,Wd),vt(hf,p,v=>{Ze(v),Mo(!1)}),vt(uf,p,H0),
+vt(df,p,Kd),Dh.add(n),n.syncRect=Mo);let Ia=n.hooks=i.hooks||{};function yn(v,A,N){In?Rt.push([v,A,N]):v in Ia&&Ia[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
+[]).forEach(v=>{for(let A in v.hooks)Ia[A]=(Ia[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[S,x[1]?
+x[1].scale:null],match:[wf,wf,Qd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Qd),ue.sync=rn;let ef=rn.key,_h=vp(ef);function So(v,A,N,U,H,J,ae){
+rn.filters.pub(v,A,N,U,H,J,ae)&&_h.pub(v,A,N,U,H,J,ae)}_h.sub(n);function W0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=W0;function X0(){
+_h.unsub(n),Dh.delete(n),gn.clear(),Rh(Fa,Sr,jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=X0;function xh(){yn("init",i,e),xo(e||i.data,!1),G[S]?hh(S,G[S]):
+yo(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(hr),w.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),xh()):t(
+n,xh):xh(),n}fn.assign=on;fn.fmtNum=Vh;fn.rangeNum=Oa;fn.rangeLog=za;fn.rangeAsinh=kh;fn.orient=Js;fn.pxRatio=wt;fn.join=N_;fn.fmtDate=Hh,fn.tzDate=W_;fn.sync=vp;
+{fn.addGap=Ax,fn.clipGaps=Ha;let i=fn.paths={points:Ap};i.linear=Cp,i.stepped=Rx,i.bars=Px,i.spline=Lx}function Ki(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
-leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function $a(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
+leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function qa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
 "change",i)}var ji=(i={})=>Object.assign(Object.create(null),i);function X(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}
-function zn(i){if(i==null)return"\u2013";let e=Math.abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(
+function An(i){if(i==null)return"\u2013";let e=Math.abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(
 4))," mm"):e>=1e-6?"".concat(Number((i*1e6).toPrecision(4))," \xB5m"):"".concat(Number(i.toPrecision(3)).toExponential()," m")}function Io(i){return i==null?"\u2013":
-"".concat(Number(i.toPrecision(5))," J")}var Ip=210,Vx=[{title:"Energy",group:"energy",unit:Io,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
-dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:zn,lines:[{label:"lateral error",column:"lat\
-eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:zn,lines:[{label:"hi\
-ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Gx(i){return(i.channels??[]).map(({key:e,name:t,
+"".concat(Number(i.toPrecision(5))," J")}var Lp=210,Hx=[{title:"Energy",group:"energy",unit:Io,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
+dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:An,lines:[{label:"lateral error",column:"lat\
+eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:An,lines:[{label:"hi\
+ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Wx(i){return(i.channels??[]).map(({key:e,name:t,
 unit:n,one:s})=>{let r=o=>({label:s?"value":o,column:"".concat(e," ").concat(o),source:e});return{title:"Channel ".concat(t),unit:o=>o==null?"\u2013":"".concat(
-Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var Zh=i=>i===void 0||i.every(e=>e===
-null);function Hx(i,e){let t=i.lines.filter(r=>!Zh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
-let o=e.expected[r.source];!o||Zh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function Wx(i,e,t,n){
+Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var Jh=i=>i===void 0||i.every(e=>e===
+null);function Xx(i,e){let t=i.lines.filter(r=>!Jh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
+let o=e.expected[r.source];!o||Jh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function $x(i,e,t,n){
 let s=(a,l)=>i.unit(l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.
 dash,spanGaps:!0,points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{
-show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function Xx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
-t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function $x(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
+show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function qx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
+t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function Yx(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
 save(),o.strokeStyle=e.bad,o.lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),
-o.restore()}}function qx(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
-...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function Yx(i,e,t,n){let{lines:s,rings:r,table:o}=Hx(i,t);if(o===null)return null;let a=Ki(),l={
-width:e.clientWidth,height:Ip,scales:{x:{time:!1},y:{range:Xx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:qx(i,a),series:Wx(
-i,s,r,a),hooks:{draw:[$x(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Zx(i,e){let t=i.lines.filter(n=>!Zh(e.actual?.[n.column])).map(n=>{
+o.restore()}}function Zx(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
+...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function Jx(i,e,t,n){let{lines:s,rings:r,table:o}=Xx(i,t);if(o===null)return null;let a=Ki(),l={
+width:e.clientWidth,height:Lp,scales:{x:{time:!1},y:{range:qx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:Zx(i,a),series:$x(
+i,s,r,a),hooks:{draw:[Yx(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Kx(i,e){let t=i.lines.filter(n=>!Jh(e.actual?.[n.column])).map(n=>{
 let s=e.actual[n.column].at(-1),r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(
-r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Lp(i,e,{first:t,groups:n}){let s=[...Vx.filter(d=>n.includes(d.group)),...Gx(e)],r="\
+r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Np(i,e,{first:t,groups:n}){let s=[...Hx.filter(d=>n.includes(d.group)),...Wx(e)],r="\
 Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(
 t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute(
-"role","img"),u.setAttribute("aria-label",Zx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
-Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>Yx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
-hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Ip})})},show_step(d){
-for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var Jx=700,Jh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Np(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
-'"]'));if(!e("expected")||!e("actual"))return;let t=Jh(e("expected"),"expected"),n=Jh(e("actual"),"actual"),s=e("difference")?Jh(e("difference"),"difference"):null;
+"role","img"),u.setAttribute("aria-label",Kx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
+Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>Jx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
+hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Lp})})},show_step(d){
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var jx=700,Kh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Dp(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+'"]'));if(!e("expected")||!e("actual"))return;let t=Kh(e("expected"),"expected"),n=Kh(e("actual"),"actual"),s=e("difference")?Kh(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
 blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=w=>{n.style.clipPath="inset(0 0 0 ".concat(
 w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
-ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let w=f!==null;if(m(),g(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},Jx)}),
-h.addEventListener("click",()=>{m(),g(!p),y(Number(c.value))}),m(),g(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
-viewer"},l,x))}var Fp={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Op=Object.
-keys(Fp),Dp={name:i=>i.dataset.name,verdict:i=>Op.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Kx=(i,e)=>i<
-e?-1:i>e?1:0;function jx(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Kx(Dp[e](s),Dp[e](r)));i.append(...n)}function Qx(i){let e=[...i.querySelectorAll("th[dat\
+ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},g=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},m=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{g(),m(!1),y(Number(c.value))}),u.addEventListener("\
+click",()=>{let w=f!==null;if(g(),m(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},jx)}),
+h.addEventListener("click",()=>{g(),m(!p),y(Number(c.value))}),g(),m(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
+viewer"},l,x))}var Op={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Bp=Object.
+keys(Op),Up={name:i=>i.dataset.name,verdict:i=>Bp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Qx=(i,e)=>i<
+e?-1:i>e?1:0;function ey(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Qx(Up[e](s),Up[e](r)));i.append(...n)}function ty(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
-"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),jx(i.tBodies[0],t.dataset.sort,s)})}}
-function Up(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
-bel",{},i,n)}}function Bp(i){Qx(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
-n=Up("Verdict",Op.filter(l=>t("verdict").includes(l)),l=>Fp[l]),s=Up("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
+"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),ey(i.tBodies[0],t.dataset.sort,s)})}}
+function Fp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
+bel",{},i,n)}}function kp(i){ty(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
+n=Fp("Verdict",Bp.filter(l=>t("verdict").includes(l)),l=>Op[l]),s=Fp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
 ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(X("div",{className:"filters"},n.place,s.place,
-X("label",{},"Name",r),o))}var _m=0,Ru=1,xm=2;var fa=1,ym=2,ro=3,Fs=0,Bn=1,zi=2,tr=0,oo=1,Pu=2,Iu=3,Lu=4,vm=5;var nr=100,bm=101,Mm=102,Sm=103,wm=104,Tm=200,Am=201,Em=202,Cm=203,Nu=204,Du=205,Rm=206,Pm=207,Im=208,Lm=209,Nm=210,Dm=211,Um=212,Fm=213,Om=214,yl=0,vl=1,bl=2,Yr=3,
-Ml=4,Sl=5,wl=6,Tl=7,Ql=0,Bm=1,km=2,Vi=0,Uu=1,Fu=2,Ou=3,Bu=4,ku=5,zu=6,Vu=7;var Gu=300,ir=301,ao=302,ec=303,tc=304,Al=1e3,Fi=1001,El=1002,Mn=1003,zm=1004;var pa=1005;var Fn=1006,nc=1007;var us=1008;var Hn=1009,Hu=1010,Wu=1011,lo=1012,ic=1013,Mi=1014,ui=1015,Si=1016,sc=1017,rc=1018,sr=1020,Xu=35902,$u=35899,qu=1021,Yu=1022,wi=1023,rs=1026,ds=1027,oc=1028,ac=1029,
-Os=1030,lc=1031;var cc=1033,ma=33776,ga=33777,_a=33778,xa=33779,hc=35840,uc=35841,dc=35842,fc=35843,pc=36196,mc=37492,gc=37496,_c=37488,xc=37489,ya=37490,yc=37491,vc=37808,bc=37809,
-Mc=37810,Sc=37811,wc=37812,Tc=37813,Ac=37814,Ec=37815,Cc=37816,Rc=37817,Pc=37818,Ic=37819,Lc=37820,Nc=37821,Dc=36492,Uc=36494,Fc=36495,Oc=36283,Bc=36284,va=36285,
-kc=36286;var zo=2300,Cl=2301,_l=2302,bu=2303,Mu=2400,Su=2401,wu=2402;var Vm=3200;var zc=0,Gm=1,fs="",Qn="srgb",Vo="srgb-linear",Go="linear",At="srgb";var xl=7680;var Hm=519,Wm=512,Xm=513,$m=514,Zu=515,qm=516,Ym=517,Ju=518,Ku=519,Zm=35044;var ju="300 es",ci=2e3,Zr=2001;function ey(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function ty(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Ho(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Jm(){
-let i=Ho("canvas");return i.style.display="block",i}var kp={},Jr=null;function Qu(...i){let e="THREE."+i.shift();Jr?Jr("log",e,...i):console.log(e,...i)}function Km(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
+X("label",{},"Name",r),o))}var xm=0,Pu=1,ym=2;var fa=1,vm=2,ro=3,Fs=0,kn=1,zi=2,tr=0,oo=1,Iu=2,Lu=3,Nu=4,bm=5;var nr=100,Mm=101,Sm=102,wm=103,Tm=104,Am=200,Em=201,Cm=202,Rm=203,Du=204,Uu=205,Pm=206,Im=207,Lm=208,Nm=209,Dm=210,Um=211,Fm=212,Om=213,Bm=214,vl=0,bl=1,Ml=2,Yr=3,
+Sl=4,wl=5,Tl=6,Al=7,ec=0,km=1,zm=2,Vi=0,Fu=1,Ou=2,Bu=3,ku=4,zu=5,Vu=6,Gu=7;var Hu=300,ir=301,ao=302,tc=303,nc=304,El=1e3,Fi=1001,Cl=1002,Mn=1003,Vm=1004;var pa=1005;var On=1006,ic=1007;var us=1008;var Hn=1009,Wu=1010,Xu=1011,lo=1012,sc=1013,Mi=1014,ui=1015,Si=1016,rc=1017,oc=1018,sr=1020,$u=35902,qu=35899,Yu=1021,Zu=1022,wi=1023,rs=1026,ds=1027,ac=1028,lc=1029,
+Os=1030,cc=1031;var hc=1033,ma=33776,ga=33777,_a=33778,xa=33779,uc=35840,dc=35841,fc=35842,pc=35843,mc=36196,gc=37492,_c=37496,xc=37488,yc=37489,ya=37490,vc=37491,bc=37808,Mc=37809,
+Sc=37810,wc=37811,Tc=37812,Ac=37813,Ec=37814,Cc=37815,Rc=37816,Pc=37817,Ic=37818,Lc=37819,Nc=37820,Dc=37821,Uc=36492,Fc=36494,Oc=36495,Bc=36283,kc=36284,va=36285,
+zc=36286;var zo=2300,Rl=2301,xl=2302,Mu=2303,Su=2400,wu=2401,Tu=2402;var Gm=3200;var Vc=0,Hm=1,fs="",Qn="srgb",Vo="srgb-linear",Go="linear",At="srgb";var yl=7680;var Wm=519,Xm=512,$m=513,qm=514,Ju=515,Ym=516,Zm=517,Ku=518,ju=519,Jm=35044;var Qu="300 es",ci=2e3,Zr=2001;function ny(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function iy(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Ho(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Km(){
+let i=Ho("canvas");return i.style.display="block",i}var zp={},Jr=null;function ed(...i){let e="THREE."+i.shift();Jr?Jr("log",e,...i):console.log(e,...i)}function jm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
 t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function qe(...i){
-i=Km(i);let e="THREE."+i.shift();if(Jr)Jr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
-Km(i);let e="THREE."+i.shift();if(Jr)Jr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function ko(...i){
-let e=i.join(" ");e in kp||(kp[e]=!0,qe(...i))}function jm(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
-setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var Qm={[yl]:yl,[bl]:wl,[Ml]:Ml,[Yr]:Sl,[vl]:vl,[wl]:bl,[Tl]:Tl,[Sl]:Yr},Oi=class{addEventListener(e,t){this.
+i=jm(i);let e="THREE."+i.shift();if(Jr)Jr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
+jm(i);let e="THREE."+i.shift();if(Jr)Jr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function ko(...i){
+let e=i.join(" ");e in zp||(zp[e]=!0,qe(...i))}function Qm(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
+setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var eg={[vl]:vl,[Ml]:Tl,[Sl]:Sl,[Yr]:wl,[bl]:bl,[Tl]:Ml,[Al]:Al,[wl]:Yr},Oi=class{addEventListener(e,t){this.
 _listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;
 return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(
 t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,
-o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},An=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","1\
+o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},En=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","1\
 4","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","3\
 4","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","5\
 4","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","7\
@@ -469,12 +469,12 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},An=["00","01","02","03","0
 4","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b\
 4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d\
 4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f\
-4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var Kh=Math.PI/180,Rl=180/Math.PI;function ba(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
-0;return(An[i&255]+An[i>>8&255]+An[i>>16&255]+An[i>>24&255]+"-"+An[e&255]+An[e>>8&255]+"-"+An[e>>16&15|64]+An[e>>24&255]+"-"+An[t&63|128]+An[t>>8&255]+"-"+An[t>>
-16&255]+An[t>>24&255]+An[n&255]+An[n>>8&255]+An[n>>16&255]+An[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function ny(i,e){return(i%
-e+e)%e}function jh(i,e,t){return(1-t)*i+t*e}function eg(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function ed(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
-return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function iy(i,e){if(e.constructor===Float32Array)return i;let t=ed(e);if(t===
-void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function sy(i,e){if(e.constructor===Float32Array)return i;let t=ed(e);
+4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var jh=Math.PI/180,Pl=180/Math.PI;function ba(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
+0;return(En[i&255]+En[i>>8&255]+En[i>>16&255]+En[i>>24&255]+"-"+En[e&255]+En[e>>8&255]+"-"+En[e>>16&15|64]+En[e>>24&255]+"-"+En[t&63|128]+En[t>>8&255]+"-"+En[t>>
+16&255]+En[t>>24&255]+En[n&255]+En[n>>8&255]+En[n>>16&255]+En[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function sy(i,e){return(i%
+e+e)%e}function Qh(i,e,t){return(1-t)*i+t*e}function tg(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function td(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
+return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function ry(i,e){if(e.constructor===Float32Array)return i;let t=td(e);if(t===
+void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function oy(i,e){if(e.constructor===Float32Array)return i;let t=td(e);
 if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var st=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
@@ -495,10 +495,10 @@ e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanD
 normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.
 y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
-x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},On=class{constructor(e=0,t=0,n=0,s=1){
+x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Bn=class{constructor(e=0,t=0,n=0,s=1){
 this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],p=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let m=l*h+c*f+d*p+u*y;m<0&&(h=-h,f=-f,p=-p,y=-y,m=-m);let g=1-a;if(m<.9995){let x=Math.acos(m),w=Math.sin(x);g=Math.sin(
-g*x)/w,a=Math.sin(a*x)/w,l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
+y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let g=l*h+c*f+d*p+u*y;g<0&&(h=-h,f=-f,p=-p,y=-y,g=-g);let m=1-a;if(g<.9995){let x=Math.acos(g),w=Math.sin(x);m=Math.sin(
+m*x)/w,a=Math.sin(a*x)/w,l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a}else{l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
 u*=x}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
 a*p+d*u+l*f-c*h,e[t+1]=l*p+d*h+c*u-a*f,e[t+2]=c*p+d*f+a*h-l*u,e[t+3]=d*p-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
@@ -537,8 +537,8 @@ r3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this
 x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){
 return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){
 return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=
-e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(zp.setFromEuler(e))}applyAxisAngle(e,t){
-return this.applyQuaternion(zp.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
+e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Vp.setFromEuler(e))}applyAxisAngle(e,t){
+return this.applyQuaternion(Vp.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
 t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.
 elements,o=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*
 o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*n),d=2*(a*t-r*s),u=2*(r*n-o*t);return this.x=t+l*c+o*u-a*d,this.y=n+
@@ -556,7 +556,7 @@ return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return thi
 e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.
 y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.
 y=r*o-n*l,this.z=n*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){
-return Qh.copy(this).projectOnVector(e),this.sub(Qh)}reflect(e){return this.sub(Qh.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*
+return eu.copy(this).projectOnVector(e),this.sub(eu)}reflect(e){return this.sub(eu.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*
 e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(at(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){
 let t=this.x-e.x,n=this.y-e.y,s=this.z-e.z;return t*t+n*n+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){
 return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,n){let s=Math.sin(t)*e;return this.x=s*Math.sin(n),this.y=Math.cos(t)*e,this.
@@ -567,14 +567,14 @@ return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.from
 this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],
 this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(
 t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.
-random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},Qh=new V,
-zp=new On,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
+random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},eu=new V,
+Vp=new Bn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
 let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]=o,d[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],m=s[3],g=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
-o*y+a*x+l*C,r[3]=o*m+a*w+l*S,r[6]=o*g+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*m+d*w+u*S,r[7]=c*g+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*m+f*w+p*S,r[8]=h*g+f*b+p*_,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],g=s[3],m=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
+o*y+a*x+l*C,r[3]=o*g+a*w+l*S,r[6]=o*m+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*g+d*w+u*S,r[7]=c*m+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*g+f*w+p*S,r[8]=h*m+f*b+p*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
 d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
@@ -582,13 +582,13 @@ h*y,e[4]=(d*t-s*l)*y,e[5]=(s*r-a*t)*y,e[6]=f*y,e[7]=(n*l-c*t)*y,e[8]=(o*t-n*r)*y
 t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=
 t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.
 set(n*l,n*c,-n*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return ko("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(
-eu.makeScale(e,t)),this}rotate(e){return ko("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(eu.makeRotation(-e)),this}translate(e,t){
-return ko("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(eu.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?
+tu.makeScale(e,t)),this}rotate(e){return ko("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(tu.makeRotation(-e)),this}translate(e,t){
+return ko("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(tu.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?
 this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){
 return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},eu=new Qe,Vp=new Qe().set(.4123908,.3575843,.1804808,.212639,
-.7151687,.0721923,.0193308,.1191948,.9505322),Gp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function ry(){
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},tu=new Qe,Gp=new Qe().set(.4123908,.3575843,.1804808,.212639,
+.7151687,.0721923,.0193308,.1191948,.9505322),Hp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function ay(){
 let i={enabled:!0,workingColorSpace:Vo,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=ss(s.r),s.
 g=ss(s.g),s.b=ss(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
 transfer===At&&(s.r=qr(s.r),s.g=qr(s.g),s.b=qr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
@@ -597,29 +597,29 @@ transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceC
 return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].
 fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
-{[Vo]:{primaries:e,whitePoint:n,transfer:Go,toXYZ:Vp,fromXYZ:Gp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
-[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Vp,fromXYZ:Gp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=ry();function ss(i){
-return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function qr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Ir,Pl=class{static getDataURL(e,t="\
+{[Vo]:{primaries:e,whitePoint:n,transfer:Go,toXYZ:Gp,fromXYZ:Hp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
+[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Gp,fromXYZ:Hp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=ay();function ss(i){
+return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function qr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Ir,Il=class{static getDataURL(e,t="\
 image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Ir===void 0&&(Ir=Ho("canvas")),
 Ir.width=e.width,Ir.height=e.height;let s=Ir.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Ir}return n.toDataURL(
 t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<
 "u"&&e instanceof ImageBitmap){let t=Ho("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=ss(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(ss(t[n]/255)*255):t[n]=ss(t[n]);return{data:t,width:e.width,height:e.height}}else
-return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},oy=0,Kr=class{constructor(e=null){this.isTextureSource=!0,
-Object.defineProperty(this,"id",{value:oy++}),this.uuid=ba(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
+return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},ly=0,Kr=class{constructor(e=null){this.isTextureSource=!0,
+Object.defineProperty(this,"id",{value:ly++}),this.uuid=ba(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
-s[o].isDataTexture?r.push(tu(s[o].image)):r.push(tu(s[o]))}else r=tu(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function tu(i){return typeof HTMLImageElement<
-"u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Pl.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var ay=0,nu=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=Fn,o=us,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=fs){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:ay++}),this.uuid=ba(),this.name="",this.source=new Kr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+s[o].isDataTexture?r.push(nu(s[o].image)):r.push(nu(s[o]))}else r=nu(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function nu(i){return typeof HTMLImageElement<
+"u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Il.getDataURL(
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var cy=0,iu=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=On,o=us,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=fs){super(),this.
+isTexture=!0,Object.defineProperty(this,"id",{value:cy++}),this.uuid=ba(),this.name="",this.source=new Kr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new st(0,0),this.repeat=
 new st(1,1),this.center=new st(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
-!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(nu).x}get height(){
-return this.source.getSize(nu).y}get depth(){return this.source.getSize(nu).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){
+!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(iu).x}get height(){
+return this.source.getSize(iu).y}get depth(){return this.source.getSize(iu).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){
 this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.
 push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=
 e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=
@@ -636,10 +636,10 @@ this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.
 type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,
 generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.
 keys(this.userData).length>0&&(n.userData=this.userData),t||(e.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==
-Gu)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case Al:e.x=e.x-Math.floor(e.x);break;case Fi:e.x=e.x<0?0:1;break;case El:Math.abs(Math.
-floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case Al:e.y=e.y-Math.floor(e.y);break;case Fi:e.y=e.y<
-0?0:1;break;case El:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===
-!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};Gn.DEFAULT_IMAGE=null;Gn.DEFAULT_MAPPING=Gu;Gn.DEFAULT_ANISOTROPY=
+Hu)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case El:e.x=e.x-Math.floor(e.x);break;case Fi:e.x=e.x<0?0:1;break;case Cl:Math.abs(Math.
+floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case El:e.y=e.y-Math.floor(e.y);break;case Fi:e.y=e.y<
+0?0:1;break;case Cl:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===
+!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};Gn.DEFAULT_IMAGE=null;Gn.DEFAULT_MAPPING=Hu;Gn.DEFAULT_ANISOTROPY=
 1;var Wt=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,n=0,s=1){this.x=e,this.y=t,this.z=n,this.w=s}get width(){return this.z}set width(e){this.z=
 e}get height(){return this.w}set height(e){this.w=e}set(e,t,n,s){return this.x=e,this.y=t,this.z=n,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,
 this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:
@@ -653,11 +653,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],m=l[6],g=l[10];if(Math.abs(
-d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-m)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+m)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let w=(c+1)/2,b=(f+1)/2,C=(g+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+m)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],g=l[6],m=l[10];if(Math.abs(
+d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-g)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+g)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let w=(c+1)/2,b=(f+1)/2,C=(m+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+g)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
 (n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=S/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
-sqrt((m-p)*(m-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(m-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
+sqrt((g-p)*(g-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(g-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=at(this.x,e.x,t.x),this.y=at(this.y,e.y,t.y),this.z=at(this.z,e.z,t.z),this.w=at(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -673,7 +673,7 @@ w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*
 x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.
 x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){
 return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.
-w}},Il=class extends Oi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Fn,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,
+w}},Ll=class extends Oi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:On,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,
 resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,
 samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},n),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=n.depth,this.scissor=new Wt(0,0,
 e,t),this.scissorTest=!1,this.viewport=new Wt(0,0,e,t),this.textures=[];let s=n.count;for(let r=0;r<s;r++)this.textures[r]=new Gn({width:e,height:t,depth:n.depth}),
@@ -681,7 +681,7 @@ this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;thi
 this.resolveColorBuffer=n.resolveColorBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this.storeMultisampledColorBuffer=
 n.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=n.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=n.storeMultisampledStencilBuffer,
 this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview,this.useArrayDepthTexture=n.useArrayDepthTexture}_setTextureOptions(e={}){
-let t={minFilter:Fn,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&
+let t={minFilter:On,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&
 (t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==
 void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),
 e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),
@@ -697,13 +697,13 @@ s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.res
 this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,
 this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=
 null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=
-e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=class extends Il{constructor(e=1,t=1,n={}){super(e,t,n),this.isWebGLRenderTarget=
+e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=class extends Ll{constructor(e=1,t=1,n={}){super(e,t,n),this.isWebGLRenderTarget=
 !0}},Wo=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
 minFilter=Mn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
-this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Ll=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
-minFilter=Mn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
-c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=p,g[11]=y,g[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Nl=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
+minFilter=Mn,this.wrapR=Fi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=
+c,m[6]=d,m[10]=u,m[14]=h,m[3]=f,m[7]=p,m[11]=y,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
@@ -717,24 +717,24 @@ a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=y+h*a,t[10]=o*l}
 f*a,t[1]=f+p*a,t[5]=o*d,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,y=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+y,t[1]=l*u,t[5]=
 y*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=y-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
 d,t[6]=f*u+p,t[10]=h-y*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+y,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
-y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(ly,e,cy)}lookAt(e,t,n){let s=this.elements;
+y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(hy,e,uy)}lookAt(e,t,n){let s=this.elements;
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ss.crossVectors(n,Kn),Ss.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
-Ss.crossVectors(n,Kn)),Ss.normalize(),qa.crossVectors(Kn,Ss),s[0]=Ss.x,s[4]=qa.x,s[8]=Kn.x,s[1]=Ss.y,s[5]=qa.y,s[9]=Kn.y,s[2]=Ss.z,s[6]=qa.z,s[10]=Kn.z,this}multiply(e){
+Ss.crossVectors(n,Kn)),Ss.normalize(),Ya.crossVectors(Kn,Ss),s[0]=Ss.x,s[4]=Ya.x,s[8]=Kn.x,s[1]=Ss.y,s[5]=Ya.y,s[9]=Kn.y,s[2]=Ss.z,s[6]=Ya.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],m=n[10],g=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],P=s[12],R=s[1],I=s[5],F=s[9],
-z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*R+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*P+a*z+l*W+c*
-se,r[1]=d*S+u*R+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*P+u*z+h*W+f*se,r[2]=p*S+y*R+m*D+g*ce,r[6]=p*_+y*I+m*G+g*K,r[10]=p*M+y*F+m*Y+g*Q,r[14]=
-p*P+y*z+m*W+g*se,r[3]=x*S+w*R+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*P+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],g=n[10],m=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
+z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*P+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*R+a*z+l*W+c*
+se,r[1]=d*S+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*S+y*P+g*D+m*ce,r[6]=p*_+y*I+g*G+m*K,r[10]=p*M+y*F+g*Y+m*Q,r[14]=
+p*R+y*z+g*W+m*se,r[3]=x*S+w*P+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*R+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],m=e[11],g=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
-h-l*d,_=o*u-a*d;return t*(y*x-m*w+g*b)-n*(p*x-m*C+g*S)+s*(p*w-y*C+g*_)-r*(p*b-y*S+m*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],g=e[11],m=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
+h-l*d,_=o*u-a*d;return t*(y*x-g*w+m*b)-n*(p*x-g*C+m*S)+s*(p*w-y*C+m*_)-r*(p*b-y*S+g*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],p=e[12],y=e[13],m=e[14],g=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,P=d*m-h*p,R=d*g-f*p,I=u*m-h*y,F=u*g-f*y,z=h*
-g-f*m,D=x*z-w*F+b*I+C*R-S*P+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-m*
-S+g*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*R-o*z-c*P)*G,e[5]=(t*z-s*R+r*P)*G,e[6]=(m*b-p*_-g*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*R+c*M)*G,e[9]=(n*R-t*F-r*M)*G,e[10]=
-(p*S-y*b+g*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*P-o*I-l*M)*G,e[13]=(t*I-n*P+s*M)*G,e[14]=(y*w-p*C-m*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],p=e[12],y=e[13],g=e[14],m=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*g-h*p,P=d*m-f*p,I=u*g-h*y,F=u*m-f*y,z=h*
+m-f*g,D=x*z-w*F+b*I+C*P-S*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-g*
+S+m*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(g*b-p*_-m*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
+(p*S-y*b+m*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*w-p*C-g*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -742,8 +742,8 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,m=o*u,g=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
-b)*S,s[5]=(1-(h+g))*S,s[6]=(m+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(m-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,g=o*u,m=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+m))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
+b)*S,s[5]=(1-(h+m))*S,s[6]=(g+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(g-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Lr.set(s[0],s[1],s[2]).length(),a=Lr.
 set(s[4],s[5],s[6]).length(),l=Lr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=ci,l=!1){
@@ -754,8 +754,8 @@ s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===ci)p=-
 "THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
 y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,ly=new V(
-0,0,0),cy=new V(1,1,1),Ss=new V,qa=new V,Kn=new V,Hp=new xt,Wp=new On,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,hy=new V(
+0,0,0),uy=new V(1,1,1),Ss=new V,Ya=new V,Kn=new V,Wp=new xt,Xp=new Bn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -767,15 +767,15 @@ atan2(l,c)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.as
 (this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(at(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-d,c),this._y=Math.atan2(-u,r)):(this.
 _x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-at(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.
 atan2(-d,f),this._y=0);break;default:qe("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),
-this}setFromQuaternion(e,t,n){return Hp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Hp,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
-e.z,t)}reorder(e){return Wp.setFromEuler(this),this.setFromQuaternion(Wp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
+this}setFromQuaternion(e,t,n){return Wp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Wp,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
+e.z,t)}reorder(e){return Xp.setFromEuler(this),this.setFromQuaternion(Xp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
 return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this.
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
 _z,yield this._order}};os.DEFAULT_ORDER="XYZ";var jr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},hy=0,Xp=new V,Nr=new On,Qi=new xt,Ya=new V,Lo=new V,uy=new V,dy=new On,$p=new V(1,0,0),qp=new V(0,1,0),Yp=new V(0,0,1),Zp={type:"added"},fy={type:"\
-removed"},Dr={type:"childadded",child:null},iu={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:hy++}),this.uuid=ba(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new os,n=new On,
+(1<<e|0))!==0}},dy=0,$p=new V,Nr=new Bn,Qi=new xt,Za=new V,Lo=new V,fy=new V,py=new Bn,qp=new V(1,0,0),Yp=new V(0,1,0),Zp=new V(0,0,1),Jp={type:"added"},my={type:"\
+removed"},Dr={type:"childadded",child:null},su={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
+this,"id",{value:dy++}),this.uuid=ba(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new os,n=new Bn,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
@@ -786,23 +786,23 @@ e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==
 return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(
 e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Nr.setFromAxisAngle(
 e,t),this.quaternion.multiply(Nr),this}rotateOnWorldAxis(e,t){return Nr.setFromAxisAngle(e,t),this.quaternion.premultiply(Nr),this}rotateX(e){return this.rotateOnAxis(
-$p,e)}rotateY(e){return this.rotateOnAxis(qp,e)}rotateZ(e){return this.rotateOnAxis(Yp,e)}translateOnAxis(e,t){return Xp.copy(e).applyQuaternion(this.quaternion),
-this.position.add(Xp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis($p,e)}translateY(e){return this.translateOnAxis(qp,e)}translateZ(e){return this.
-translateOnAxis(Yp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
-e.applyMatrix4(Qi.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Ya.copy(e):Ya.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),Lo.setFromMatrixPosition(
-this.matrixWorld),this.isCamera||this.isLight?Qi.lookAt(Lo,Ya,this.up):Qi.lookAt(Ya,Lo,this.up),this.quaternion.setFromRotationMatrix(Qi),s&&(Qi.extractRotation(
+qp,e)}rotateY(e){return this.rotateOnAxis(Yp,e)}rotateZ(e){return this.rotateOnAxis(Zp,e)}translateOnAxis(e,t){return $p.copy(e).applyQuaternion(this.quaternion),
+this.position.add($p.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(qp,e)}translateY(e){return this.translateOnAxis(Yp,e)}translateZ(e){return this.
+translateOnAxis(Zp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
+e.applyMatrix4(Qi.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Za.copy(e):Za.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),Lo.setFromMatrixPosition(
+this.matrixWorld),this.isCamera||this.isLight?Qi.lookAt(Lo,Za,this.up):Qi.lookAt(Za,Lo,this.up),this.quaternion.setFromRotationMatrix(Qi),s&&(Qi.extractRotation(
 s.matrixWorld),Nr.setFromRotationMatrix(Qi),this.quaternion.premultiply(Nr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
-this,this.children.push(e),e.dispatchEvent(Zp),Dr.child=e,this.dispatchEvent(Dr),Dr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
+this,this.children.push(e),e.dispatchEvent(Jp),Dr.child=e,this.dispatchEvent(Dr),Dr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
-parent=null,this.children.splice(t,1),e.dispatchEvent(fy),iu.child=e,this.dispatchEvent(iu),iu.child=null),this}removeFromParent(){let e=this.parent;return e!==
+parent=null,this.children.splice(t,1),e.dispatchEvent(my),su.child=e,this.dispatchEvent(su),su.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),Qi.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),Qi.multiply(e.parent.matrixWorld)),e.applyMatrix4(Qi),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
-!1,!0),e.dispatchEvent(Zp),Dr.child=e,this.dispatchEvent(Dr),Dr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
+!1,!0),e.dispatchEvent(Jp),Dr.child=e,this.dispatchEvent(Dr),Dr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
-!0,!1),this.matrixWorld.decompose(Lo,e,uy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Lo,dy,e),e}getWorldDirection(e){this.
+!0,!1),this.matrixWorld.decompose(Lo,e,fy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Lo,py,e),e}getWorldDirection(e){this.
 updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.
 children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)
 t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,
@@ -843,7 +843,7 @@ e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,thi
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};wn.DEFAULT_UP=new V(0,1,0);wn.DEFAULT_MATRIX_AUTO_UPDATE=!0;wn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Vn=class extends wn{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},py={type:"move"},Qr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},gy={type:"move"},Qr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new Vn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new Vn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===
@@ -853,8 +853,8 @@ _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatch
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
 r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){
-let m=t.getJointPose(y,n),g=this._getHandJoint(c,y);m!==null&&(g.matrix.fromArray(m.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
-!0,g.jointRadius=m.radius),g.visible=m!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
+let g=t.getJointPose(y,n),m=this._getHandJoint(c,y);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
+!0,m.jointRadius=g.radius),m.visible=g!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
 pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.
 pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
 fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
@@ -862,8 +862,8 @@ copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVe
 l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
 transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(
 s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(
-py)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
-let n=new Vn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},tg={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
+gy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
+let n=new Vn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},ng={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
 aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,
 chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,
 darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,
@@ -879,38 +879,38 @@ olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:143157
 papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,
 royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,
 slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,
-violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},ws={h:0,s:0,l:0},Za={h:0,s:0,l:0};function su(i,e,t){return t<
+violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},ws={h:0,s:0,l:0},Ja={h:0,s:0,l:0};function ru(i,e,t){return t<
 0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var rt=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,_t.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=_t.workingColorSpace){return this.r=e,this.g=t,this.b=n,_t.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=_t.
-workingColorSpace){if(e=ny(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=su(o,r,e+1/3),this.g=su(o,r,
-e),this.b=su(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function n(r){r!==void 0&&parseFloat(r)<1&&qe("Color: Alpha component of "+e+
+workingColorSpace){if(e=sy(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=ru(o,r,e+1/3),this.g=ru(o,r,
+e),this.b=ru(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function n(r){r!==void 0&&parseFloat(r)<1&&qe("Color: Alpha component of "+e+
 " will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"\
 hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(
 r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:qe("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.
 exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.
-setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Qn){let n=tg[e.toLowerCase()];
+setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Qn){let n=ng[e.toLowerCase()];
 return n!==void 0?this.setHex(n,t):qe("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=
 e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=ss(e.r),this.g=ss(e.g),this.b=ss(e.b),this}copyLinearToSRGB(e){return this.r=qr(e.r),this.g=qr(e.g),this.b=
 qr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Qn){return _t.
-workingToColorSpace(En.copy(this),e),Math.round(at(En.r*255,0,255))*65536+Math.round(at(En.g*255,0,255))*256+Math.round(at(En.b*255,0,255))}getHexString(e=Qn){return("\
-000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=_t.workingColorSpace){_t.workingToColorSpace(En.copy(this),t);let n=En.r,s=En.g,r=En.b,o=Math.max(n,s,
+workingToColorSpace(Cn.copy(this),e),Math.round(at(Cn.r*255,0,255))*65536+Math.round(at(Cn.g*255,0,255))*256+Math.round(at(Cn.b*255,0,255))}getHexString(e=Qn){return("\
+000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=_t.workingColorSpace){_t.workingToColorSpace(Cn.copy(this),t);let n=Cn.r,s=Cn.g,r=Cn.b,o=Math.max(n,s,
 r),a=Math.min(n,s,r),l,c,d=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=d<=.5?u/(o+a):u/(2-o-a),o){case n:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-n)/u+2;break;case r:
-l=(n-s)/u+4;break}l/=6}return e.h=l,e.s=c,e.l=d,e}getRGB(e,t=_t.workingColorSpace){return _t.workingToColorSpace(En.copy(this),t),e.r=En.r,e.g=En.g,e.b=En.b,e}getStyle(e=Qn){
-_t.workingToColorSpace(En.copy(this),e);let t=En.r,n=En.g,s=En.b;return e!==Qn?"color(".concat(e," ").concat(t.toFixed(3)," ").concat(n.toFixed(3)," ").concat(s.
+l=(n-s)/u+4;break}l/=6}return e.h=l,e.s=c,e.l=d,e}getRGB(e,t=_t.workingColorSpace){return _t.workingToColorSpace(Cn.copy(this),t),e.r=Cn.r,e.g=Cn.g,e.b=Cn.b,e}getStyle(e=Qn){
+_t.workingToColorSpace(Cn.copy(this),e);let t=Cn.r,n=Cn.g,s=Cn.b;return e!==Qn?"color(".concat(e," ").concat(t.toFixed(3)," ").concat(n.toFixed(3)," ").concat(s.
 toFixed(3),")"):"rgb(".concat(Math.round(t*255),",").concat(Math.round(n*255),",").concat(Math.round(s*255),")")}offsetHSL(e,t,n){return this.getHSL(ws),this.setHSL(
 ws.h+e,ws.s+t,ws.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){
 return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){
 return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-
 this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(
-ws),e.getHSL(Za);let n=jh(ws.h,Za.h,t),s=jh(ws.s,Za.s,t),r=jh(ws.l,Za.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=
+ws),e.getHSL(Ja);let n=Qh(ws.h,Ja.h,t),s=Qh(ws.s,Ja.s,t),r=Qh(ws.l,Ja.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
-iterator](){yield this.r,yield this.g,yield this.b}},En=new rt;rt.NAMES=tg;var Xo=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
+iterator](){yield this.r,yield this.g,yield this.b}},Cn=new rt;rt.NAMES=ng;var Xo=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
 0,this.backgroundIntensity=1,this.backgroundRotation=new os,this.environmentIntensity=1,this.environmentRotation=new os,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<
 "u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.
 clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,
@@ -918,25 +918,25 @@ this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.ba
 copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){
 let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=
 this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=
-this.environmentRotation.toArray(),t}},yi=new V,es=new V,ru=new V,ts=new V,Ur=new V,Fr=new V,Jp=new V,ou=new V,au=new V,lu=new V,cu=new Wt,hu=new Wt,uu=new Wt,Ui=class i{constructor(e=new V,t=new V,n=new V){
+this.environmentRotation.toArray(),t}},yi=new V,es=new V,ou=new V,ts=new V,Ur=new V,Fr=new V,Kp=new V,au=new V,lu=new V,cu=new V,hu=new Wt,uu=new Wt,du=new Wt,Ui=class i{constructor(e=new V,t=new V,n=new V){
 this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),yi.subVectors(e,t),s.cross(yi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(
-r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){yi.subVectors(s,t),es.subVectors(n,t),ru.subVectors(e,t);let o=yi.dot(yi),a=yi.dot(es),l=yi.dot(ru),c=es.dot(es),
-d=es.dot(ru),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,p=(o*d-a*l)*h;return r.set(1-f-p,p,f)}static containsPoint(e,t,n,s){return this.
+r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){yi.subVectors(s,t),es.subVectors(n,t),ou.subVectors(e,t);let o=yi.dot(yi),a=yi.dot(es),l=yi.dot(ou),c=es.dot(es),
+d=es.dot(ou),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,p=(o*d-a*l)*h;return r.set(1-f-p,p,f)}static containsPoint(e,t,n,s){return this.
 getBarycoord(e,t,n,s,ts)===null?!1:ts.x>=0&&ts.y>=0&&ts.x+ts.y<=1}static getInterpolation(e,t,n,s,r,o,a,l){return this.getBarycoord(e,t,n,s,ts)===null?(l.x=0,l.
 y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,ts.x),l.addScaledVector(o,ts.y),l.addScaledVector(a,ts.z),l)}static getInterpolatedAttribute(e,t,n,s,r,o){
-return cu.setScalar(0),hu.setScalar(0),uu.setScalar(0),cu.fromBufferAttribute(e,t),hu.fromBufferAttribute(e,n),uu.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(
-cu,r.x),o.addScaledVector(hu,r.y),o.addScaledVector(uu,r.z),o}static isFrontFacing(e,t,n,s){return yi.subVectors(n,t),es.subVectors(e,t),yi.cross(es).dot(s)<0}set(e,t,n){
+return hu.setScalar(0),uu.setScalar(0),du.setScalar(0),hu.fromBufferAttribute(e,t),uu.fromBufferAttribute(e,n),du.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(
+hu,r.x),o.addScaledVector(uu,r.y),o.addScaledVector(du,r.z),o}static isFrontFacing(e,t,n,s){return yi.subVectors(n,t),es.subVectors(e,t),yi.cross(es).dot(s)<0}set(e,t,n){
 return this.a.copy(e),this.b.copy(t),this.c.copy(n),this}setFromPointsAndIndices(e,t,n,s){return this.a.copy(e[t]),this.b.copy(e[n]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,n,s){
 return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,n),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){
 return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return yi.subVectors(this.c,this.b),es.subVectors(this.a,this.b),yi.cross(es).length()*
 .5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.
 setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(
 e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){
-return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,n),Fr.subVectors(r,n),ou.subVectors(e,n);let l=Ur.
-dot(ou),c=Fr.dot(ou);if(l<=0&&c<=0)return t.copy(n);au.subVectors(e,s);let d=Ur.dot(au),u=Fr.dot(au);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
-d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);lu.subVectors(e,r);let f=Ur.dot(lu),p=Fr.dot(lu);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Jp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-Jp,a);let g=1/(m+y+h);return o=y*g,a=h*g,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,n),Fr.subVectors(r,n),au.subVectors(e,n);let l=Ur.
+dot(au),c=Fr.dot(au);if(l<=0&&c<=0)return t.copy(n);lu.subVectors(e,s);let d=Ur.dot(lu),u=Fr.dot(lu);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
+d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);cu.subVectors(e,r);let f=Ur.dot(cu),p=Fr.dot(cu);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let g=d*p-f*u;if(g<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Kp,a);let m=1/(g+y+h);return o=y*m,a=h*m,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},Bi=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(vi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(vi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -947,8 +947,8 @@ this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min
 this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){
 return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let n=e.geometry;if(n!==void 0){let r=n.getAttribute(
 "position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,vi):vi.fromBufferAttribute(
-r,o),vi.applyMatrix4(e.matrixWorld),this.expandByPoint(vi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Ja.copy(e.boundingBox)):(n.
-boundingBox===null&&n.computeBoundingBox(),Ja.copy(n.boundingBox)),Ja.applyMatrix4(e.matrixWorld),this.union(Ja)}let s=e.children;for(let r=0,o=s.length;r<o;r++)
+r,o),vi.applyMatrix4(e.matrixWorld),this.expandByPoint(vi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Ka.copy(e.boundingBox)):(n.
+boundingBox===null&&n.computeBoundingBox(),Ka.copy(n.boundingBox)),Ka.applyMatrix4(e.matrixWorld),this.union(Ka)}let s=e.children;for(let r=0,o=s.length;r<o;r++)
 this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.
 z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){
 return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.
@@ -956,9 +956,9 @@ max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y
 e.center,vi),vi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):
 (t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.
 min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){
-if(this.isEmpty())return!1;this.getCenter(No),Ka.subVectors(this.max,No),Or.subVectors(e.a,No),Br.subVectors(e.b,No),kr.subVectors(e.c,No),Ts.subVectors(Br,Or),
+if(this.isEmpty())return!1;this.getCenter(No),ja.subVectors(this.max,No),Or.subVectors(e.a,No),Br.subVectors(e.b,No),kr.subVectors(e.c,No),Ts.subVectors(Br,Or),
 As.subVectors(kr,Br),Ks.subVectors(Or,kr);let t=[0,-Ts.z,Ts.y,0,-As.z,As.y,0,-Ks.z,Ks.y,Ts.z,0,-Ts.x,As.z,0,-As.x,Ks.z,0,-Ks.x,-Ts.y,Ts.x,0,-As.y,As.x,0,-Ks.y,Ks.
-x,0];return!du(t,Or,Br,kr,Ka)||(t=[1,0,0,0,1,0,0,0,1],!du(t,Or,Br,kr,Ka))?!1:(ja.crossVectors(Ts,As),t=[ja.x,ja.y,ja.z],du(t,Or,Br,kr,Ka))}clampPoint(e,t){return t.
+x,0];return!fu(t,Or,Br,kr,ja)||(t=[1,0,0,0,1,0,0,0,1],!fu(t,Or,Br,kr,ja))?!1:(Qa.crossVectors(Ts,As),t=[Qa.x,Qa.y,Qa.z],fu(t,Or,Br,kr,ja))}clampPoint(e,t){return t.
 copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,vi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(
 e.center),e.radius=this.getSize(vi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.
 min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(ns[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),ns[1].set(this.min.
@@ -966,16 +966,16 @@ x,this.min.y,this.max.z).applyMatrix4(e),ns[2].set(this.min.x,this.max.y,this.mi
 ns[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),ns[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),ns[6].set(this.max.x,this.max.y,this.min.
 z).applyMatrix4(e),ns[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(ns),this)}translate(e){return this.min.add(e),this.max.add(e),
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
-fromArray(e.min),this.max.fromArray(e.max),this}},ns=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Ja=new Bi,Or=new V,Br=new V,kr=new V,Ts=new V,As=new V,
-Ks=new V,No=new V,Ka=new V,ja=new V,js=new V;function du(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){js.fromArray(i,r);let a=s.x*Math.abs(js.x)+s.y*Math.abs(
-js.y)+s.z*Math.abs(js.z),l=e.dot(js),c=t.dot(js),d=n.dot(js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,Qa=new st,my=0,bi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
-Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:my++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
-t:0,this.normalized=n,this.usage=Zm,this.updateRanges=[],this.gpuType=ui,this.version=0,this._normalizationScale=e!==void 0?ed(e):void 0}onUploadCallback(){}set needsUpdate(e){
+fromArray(e.min),this.max.fromArray(e.max),this}},ns=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Ka=new Bi,Or=new V,Br=new V,kr=new V,Ts=new V,As=new V,
+Ks=new V,No=new V,ja=new V,Qa=new V,js=new V;function fu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){js.fromArray(i,r);let a=s.x*Math.abs(js.x)+s.y*Math.abs(
+js.y)+s.z*Math.abs(js.z),l=e.dot(js),c=t.dot(js),d=n.dot(js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,el=new st,_y=0,bi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:_y++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
+t:0,this.normalized=n,this.usage=Jm,this.updateRanges=[],this.gpuType=ui,this.version=0,this._normalizationScale=e!==void 0?td(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
 length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.
 usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<
 r;s++)this.array[e+s]=t.array[n+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,n=this.count;t<n;t++)
-Qa.fromBufferAttribute(this,t),Qa.applyMatrix3(e),this.setXY(t,Qa.x,Qa.y);else if(this.itemSize===3)for(let t=0,n=this.count;t<n;t++)an.fromBufferAttribute(this,
+el.fromBufferAttribute(this,t),el.applyMatrix3(e),this.setXY(t,el.x,el.y);else if(this.itemSize===3)for(let t=0,n=this.count;t<n;t++)an.fromBufferAttribute(this,
 t),an.applyMatrix3(e),this.setXYZ(t,an.x,an.y,an.z);return this}applyMatrix4(e){for(let t=0,n=this.count;t<n;t++)an.fromBufferAttribute(this,t),an.applyMatrix4(
 e),this.setXYZ(t,an.x,an.y,an.z);return this}applyNormalMatrix(e){for(let t=0,n=this.count;t<n;t++)an.fromBufferAttribute(this,t),an.applyNormalMatrix(e),this.setXYZ(
 t,an.x,an.y,an.z);return this}transformDirection(e){for(let t=0,n=this.count;t<n;t++)an.fromBufferAttribute(this,t),an.transformDirection(e),this.setXYZ(t,an.x,
@@ -991,8 +991,8 @@ array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,t
 r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.
 constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.
 normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;
-return t!==void 0?Math.max(e/t,-1):iy(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):sy(e,this.array)}};var $o=class extends bi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var qo=class extends bi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends bi{constructor(e,t,n){super(new Float32Array(e),t,n)}},gy=new Bi,Do=new V,fu=new V,as=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
-center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):gy.setFromPoints(e).getCenter(
+return t!==void 0?Math.max(e/t,-1):ry(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):oy(e,this.array)}};var $o=class extends bi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var qo=class extends bi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends bi{constructor(e,t,n){super(new Float32Array(e),t,n)}},xy=new Bi,Do=new V,pu=new V,as=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
+center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):xy.setFromPoints(e).getCenter(
 n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),
 this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(
 this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.
@@ -1002,13 +1002,13 @@ t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,t
 applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.
 copy(e),this.radius=0,this;Do.subVectors(e,this.center);let t=Do.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),s=(n-this.radius)*.5;this.center.addScaledVector(
 Do,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
-radius,e.radius):(fu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Do.copy(e.center).add(fu)),this.expandByPoint(Do.copy(e.center).sub(
-fu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},_y=0,li=new xt,pu=new wn,zr=new V,jn=new Bi,Uo=new Bi,
-bn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:_y++}),this.uuid=ba(),this.name="",this.type=
+radius,e.radius):(pu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Do.copy(e.center).add(pu)),this.expandByPoint(Do.copy(e.center).sub(
+pu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},yy=0,li=new xt,mu=new wn,zr=new V,jn=new Bi,Uo=new Bi,
+bn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:yy++}),this.uuid=ba(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
-return Array.isArray(e)?this.index=new(ey(e)?qo:$o)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
+return Array.isArray(e)?this.index=new(ny(e)?qo:$o)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
 indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){
 return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.
 start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==
@@ -1016,7 +1016,7 @@ void 0){let r=new Qe().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!
 !0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return li.
 makeRotationFromQuaternion(e),this.applyMatrix4(li),this}rotateX(e){return li.makeRotationX(e),this.applyMatrix4(li),this}rotateY(e){return li.makeRotationY(e),
 this.applyMatrix4(li),this}rotateZ(e){return li.makeRotationZ(e),this.applyMatrix4(li),this}translate(e,t,n){return li.makeTranslation(e,t,n),this.applyMatrix4(
-li),this}scale(e,t,n){return li.makeScale(e,t,n),this.applyMatrix4(li),this}lookAt(e){return pu.lookAt(e),pu.updateMatrix(),this.applyMatrix4(pu.matrix),this}center(){
+li),this}scale(e,t,n){return li.makeScale(e,t,n),this.applyMatrix4(li),this}lookAt(e){return mu.lookAt(e),mu.updateMatrix(),this.applyMatrix4(mu.matrix),this}center(){
 return this.computeBoundingBox(),this.boundingBox.getCenter(zr).negate(),this.translate(zr.x,zr.y,zr.z),this}setFromPoints(e){let t=this.getAttribute("position");
 if(t===void 0){let n=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new yt(n,3))}else{let n=Math.min(e.length,
 t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&qe("BufferGeometry: Buffer size too small for points data. Use .dispose() \
@@ -1036,22 +1036,22 @@ a,c),l&&(zr.fromBufferAttribute(e,c),bn.add(zr)),s=Math.max(s,n.distanceToSquare
 Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new bi(new Float32Array(
-4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let P=0;P<n.count;P++)a[P]=new V,l[P]=new V;let d=new V,u=new V,h=new V,
-f=new st,p=new st,y=new st,m=new V,g=new V;function x(P,R,I){c[P]=c[R]=c[I]=1,d.fromBufferAttribute(n,P),u.fromBufferAttribute(n,R),h.fromBufferAttribute(n,I),f.
-fromBufferAttribute(r,P),p.fromBufferAttribute(r,R),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(m.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),g.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[P].add(m),a[R].add(m),
-a[I].add(m),l[P].add(g),l[R].add(g),l[I].add(g))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let P=0,R=w.length;P<R;++P){let I=w[P],F=I.start,
-z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,S=new V,_=new V;function M(P){S.fromBufferAttribute(s,P),_.copy(
-S);let R=a[P];b.copy(R),b.sub(S.multiplyScalar(S.dot(R))).normalize(),C.crossVectors(_,R);let F=C.dot(l[P])<0?-1:1;o.setXYZW(P,b.x,b.y,b.z,F)}for(let P=0,R=n.count;P<
-R;++P)c[P]&&M(P);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
+4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let R=0;R<n.count;R++)a[R]=new V,l[R]=new V;let d=new V,u=new V,h=new V,
+f=new st,p=new st,y=new st,g=new V,m=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
+fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(g.copy(
+u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),m.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(g),a[P].add(g),
+a[I].add(g),l[R].add(m),l[P].add(m),l[I].add(m))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let R=0,P=w.length;R<P;++R){let I=w[R],F=I.start,
+z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,S=new V,_=new V;function M(R){S.fromBufferAttribute(s,R),_.copy(
+S);let P=a[R];b.copy(P),b.sub(S.multiplyScalar(S.dot(P))).normalize(),C.crossVectors(_,P);let F=C.dot(l[R])<0?-1:1;o.setXYZW(R,b.x,b.y,b.z,F)}for(let R=0,P=n.count;R<
+P;++R)c[R]&&M(R);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new bi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
-r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(
-t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,m),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
-c.fromBufferAttribute(n,m),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
+r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),g=e.getX(h+2);s.fromBufferAttribute(
+t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,g),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
+c.fromBufferAttribute(n,g),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(g,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),n.setXYZ(h+0,d.x,d.y,d.z),
 n.setXYZ(h+1,d.x,d.y,d.z),n.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
 n;t++)bn.fromBufferAttribute(e,t),bn.normalize(),e.setXYZ(t,bn.x,bn.y,bn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
-l.length*d),f=0,p=0;for(let y=0,m=l.length;y<m;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let g=0;g<d;g++)h[p++]=c[f++]}return new bi(
+l.length*d),f=0,p=0;for(let y=0,g=l.length;y<g;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let m=0;m<d;m++)h[p++]=c[f++]}return new bi(
 h,d,u)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
 for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=e(
 h,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
@@ -1067,23 +1067,23 @@ n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let d=s[c]
 u=r[c];for(let h=0,f=u.length;h<f;h++)d.push(u[h].clone(t));this.morphAttributes[c]=d}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,
 d=o.length;c<d;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;
 return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
-e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var mu=new V,xy=new V,yy=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
+e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var gu=new V,vy=new V,by=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
 constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=
--t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=mu.subVectors(n,t).cross(xy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
+-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=gu.subVectors(n,t).cross(vy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
 e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.
 constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.
 distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(
-mu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
+gu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
 (o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>
 0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(
--this.constant)}applyMatrix4(e,t){let n=t||yy.getNormalMatrix(e),s=this.coplanarPoint(mu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
+-this.constant)}applyMatrix4(e,t){let n=t||by.getNormalMatrix(e),s=this.coplanarPoint(gu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
-this.constant=e.constant,this}},vy=0,ls=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:vy++}),this.uuid=ba(),this.
-name="",this.type="Material",this.blending=oo,this.side=Fs,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Nu,this.blendDst=
-Du,this.blendEquation=nr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
-Yr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Hm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=xl,this.stencilZFail=
-xl,this.stencilZPass=xl,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
+this.constant=e.constant,this}},My=0,ls=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:My++}),this.uuid=ba(),this.
+name="",this.type="Material",this.blending=oo,this.side=Fs,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Du,this.blendDst=
+Uu,this.blendEquation=nr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
+Yr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Wm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=yl,this.stencilZFail=
+yl,this.stencilZPass=yl,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
 forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){
 this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){
@@ -1199,17 +1199,17 @@ e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.pre
 polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=
 e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,
 this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&
-this.version++}};var is=new V,gu=new V,el=new V,tl=new V,eo=class{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.
+this.version++}};var is=new V,_u=new V,tl=new V,nl=new V,eo=class{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.
 copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){
 return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,is)),this}closestPointToPoint(e,t){t.subVectors(e,this.
 origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.
 distanceSqToPoint(e))}distanceSqToPoint(e){let t=is.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(is.copy(this.origin).
-addScaledVector(this.direction,t),is.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){gu.copy(e).add(t).multiplyScalar(.5),el.copy(t).sub(e).normalize(),tl.copy(
-this.origin).sub(gu);let r=e.distanceTo(t)*.5,o=-this.direction.dot(el),a=tl.dot(this.direction),l=-tl.dot(el),c=tl.lengthSq(),d=Math.abs(1-o*o),u,h,f,p;if(d>0)
+addScaledVector(this.direction,t),is.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){_u.copy(e).add(t).multiplyScalar(.5),tl.copy(t).sub(e).normalize(),nl.copy(
+this.origin).sub(_u);let r=e.distanceTo(t)*.5,o=-this.direction.dot(tl),a=nl.dot(this.direction),l=-nl.dot(tl),c=nl.lengthSq(),d=Math.abs(1-o*o),u,h,f,p;if(d>0)
 if(u=o*l-a,h=o*a-l,p=r*d,u>=0)if(h>=-p)if(h<=p){let y=1/d;u*=y,h*=y,f=u*(u+o*h+2*a)+h*(o*u+h+2*l)+c}else h=r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h=-r,
 u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h<=-p?(u=Math.max(0,-(-o*r+a)),h=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c):h<=p?(u=0,h=Math.min(Math.
 max(-r,-l),r),f=h*(h+2*l)+c):(u=Math.max(0,-(o*r+a)),h=u>0?r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c);else h=o>0?-r:r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+
-2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(gu).addScaledVector(el,h),f}intersectSphere(e,t){if(e.radius<0)return null;is.subVectors(
+2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(_u).addScaledVector(tl,h),f}intersectSphere(e,t){if(e.radius<0)return null;is.subVectors(
 e.center,this.origin);let n=is.dot(this.direction),s=is.dot(is)-n*n,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=n-o,l=n+o;return l<0?null:a<0?
 this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.
 direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(e.normal)+e.constant)/t;return n>=0?n:null}intersectPlane(e,t){let n=this.
@@ -1218,50 +1218,50 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,is)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,p=t.x-o.x,
-y=t.y-o.y,m=t.z-o.z,g=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,P,R,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(P=l,F=u,G=p,ce=g,l>=0?(_=c,M=
-d,R=h,I=f,z=y,D=m,Y=x,W=w):(_=d,M=c,R=f,I=h,z=m,D=y,Y=w,W=x)):C>=S?(P=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,R=f,I=u,z=m,D=p,Y=w,W=g):(_=l,M=d,R=u,I=f,z=p,D=m,Y=g,W=w)):(P=
-d,F=f,G=m,ce=w,d>=0?(_=l,M=c,R=u,I=h,z=p,D=y,Y=g,W=x):(_=c,M=l,R=h,I=u,z=y,D=p,Y=x,W=g)),P===0)return null;let K=_/P,Q=M/P,se=1/P,de=R-K*F,ue=I-Q*F,ee=z-K*G,me=D-
+y=t.y-o.y,g=t.z-o.z,m=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(R=l,F=u,G=p,ce=m,l>=0?(_=c,M=
+d,P=h,I=f,z=y,D=g,Y=x,W=w):(_=d,M=c,P=f,I=h,z=g,D=y,Y=w,W=x)):C>=S?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=g,D=p,Y=w,W=m):(_=l,M=d,P=u,I=f,z=p,D=g,Y=m,W=w)):(R=
+d,F=f,G=g,ce=w,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=m,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=m)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
 Q*G,xe=Y-K*ce,Ee=W-Q*ce,Me=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(Me<0||He<0||nt<0)return null}else if((Me<0||He<0||nt<0)&&(Me>0||He>0||nt>0))return null;
 let Ve=Me+He+nt;if(Ve===0)return null;let ut=se*(Me*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
 copy(this)}},cs=class extends ls{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new rt(16777215),this.map=null,this.
 lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new os,
-this.combine=Ql,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="r\
+this.combine=ec,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="r\
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
 this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.
 envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=
-e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Kp=new xt,Qs=new eo,nl=new as,jp=new V,
-il=new V,sl=new V,rl=new V,_u=new V,ol=new V,Qp=new V,al=new V,hi=class extends wn{constructor(e=new ln,t=new cs){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
+e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},jp=new xt,Qs=new eo,il=new as,Qp=new V,
+sl=new V,rl=new V,ol=new V,xu=new V,al=new V,em=new V,ll=new V,hi=class extends wn{constructor(e=new ln,t=new cs){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
 e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.
 morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.
 morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,
 this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=
 [],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){
 let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&
-a){ol.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(_u.fromBufferAttribute(u,e),o?ol.addScaledVector(_u,d):ol.addScaledVector(_u.sub(t),d))}
-t.add(ol)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
-null&&n.computeBoundingSphere(),nl.copy(n.boundingSphere),nl.applyMatrix4(r),Qs.copy(e.ray).recast(e.near),!(nl.containsPoint(Qs.origin)===!1&&(Qs.intersectSphere(
-nl,jp)===null||Qs.origin.distanceToSquared(jp)>(e.far-e.near)**2))&&(Kp.copy(r).invert(),Qs.copy(e.ray).applyMatrix4(Kp),!(n.boundingBox!==null&&Qs.intersectsBox(
+a){al.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(xu.fromBufferAttribute(u,e),o?al.addScaledVector(xu,d):al.addScaledVector(xu.sub(t),d))}
+t.add(al)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
+null&&n.computeBoundingSphere(),il.copy(n.boundingSphere),il.applyMatrix4(r),Qs.copy(e.ray).recast(e.near),!(il.containsPoint(Qs.origin)===!1&&(Qs.intersectSphere(
+il,Qp)===null||Qs.origin.distanceToSquared(Qp)>(e.far-e.near)**2))&&(jp.copy(r).invert(),Qs.copy(e.ray).applyMatrix4(jp),!(n.boundingBox!==null&&Qs.intersectsBox(
 n.boundingBox)===!1)&&this._computeIntersections(e,t,Qs)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.
-materialIndex],x=Math.max(m.start,f.start),w=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
-M=a.getX(b+2);s=ll(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=a.getX(m),w=a.getX(m+1),b=a.getX(m+2);s=ll(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.materialIndex],x=Math.max(m.start,f.start),w=Math.min(l.count,
-Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=ll(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
-m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=m,w=m+1,b=m+2;s=ll(this,o,e,n,c,d,
-u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function by(i,e,t,n,s,r,o,a){let l;if(e.side===Bn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
-s,r,o,e.side===Fs,a),l===null)return null;al.copy(a),al.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(al);return c<t.near||c>t.far?null:{distance:c,
-point:al.clone(),object:i}}function ll(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,il),i.getVertexPosition(l,sl),i.getVertexPosition(c,rl);let d=by(i,e,t,n,il,sl,
-rl,Qp);if(d){let u=new V;Ui.getBarycoord(Qp,il,sl,rl,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
+c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.
+materialIndex],x=Math.max(g.start,f.start),w=Math.min(a.count,Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
+M=a.getX(b+2);s=cl(this,m,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=a.getX(g),w=a.getX(g+1),b=a.getX(g+2);s=cl(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(g/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),w=Math.min(l.count,
+Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=cl(this,m,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
+g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=g,w=g+1,b=g+2;s=cl(this,o,e,n,c,d,
+u,x,w,b),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function Sy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+s,r,o,e.side===Fs,a),l===null)return null;ll.copy(a),ll.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ll);return c<t.near||c>t.far?null:{distance:c,
+point:ll.clone(),object:i}}function cl(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,sl),i.getVertexPosition(l,rl),i.getVertexPosition(c,ol);let d=Sy(i,e,t,n,sl,rl,
+ol,em);if(d){let u=new V;Ui.getBarycoord(em,sl,rl,ol,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
 new st)),o&&(d.normal=Ui.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
-Ui.getNormal(il,sl,rl,h.normal),d.face=h,d.barycoord=u}return d}var Yo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Mn,d=Mn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
+Ui.getNormal(sl,rl,ol,h.normal),d.face=h,d.barycoord=u}return d}var Yo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Mn,d=Mn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Zo=class extends bi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
-e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Vr=new xt,em=new xt,cl=[],
-tm=new Bi,My=new xt,Fo=new hi,Oo=new as,Cs=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Zo(new Float32Array(n*
-16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,My)}computeBoundingBox(){
+e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Vr=new xt,tm=new xt,hl=[],
+nm=new Bi,wy=new xt,Fo=new hi,Oo=new as,Cs=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Zo(new Float32Array(n*
+16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,wy)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new Bi),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
-t;n++)this.getMatrixAt(n,Vr),tm.copy(e.boundingBox).applyMatrix4(Vr),this.boundingBox.union(tm)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
+t;n++)this.getMatrixAt(n,Vr),nm.copy(e.boundingBox).applyMatrix4(Vr),this.boundingBox.union(nm)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
 null&&(this.boundingSphere=new as),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,Vr),
 Oo.copy(e.boundingSphere).applyMatrix4(Vr),this.boundingSphere.union(Oo)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
 e.morphTexture!==null?e.morphTexture.clone():null,this.instanceColor=e.instanceColor!==null?e.instanceColor.clone():null,this.count=e.count,this.boundingBox=e.boundingBox!==
@@ -1269,52 +1269,52 @@ null?e.boundingBox.clone():null,this.boundingSphere=e.boundingSphere!==null?e.bo
 t.setRGB(1,1,1):t.fromArray(this.instanceColor.array,e*3)}getMatrixAt(e,t){return t.fromArray(this.instanceMatrix.array,e*16)}getMorphAt(e,t){let n=t.morphTargetInfluences,
 s=this.morphTexture.source.data.data,r=n.length+1,o=e*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(e,t){let n=this.matrixWorld,s=this.count;if(Fo.geometry=
 this.geometry,Fo.material=this.material,Fo.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),Oo.copy(this.boundingSphere),Oo.applyMatrix4(
-n),e.ray.intersectsSphere(Oo)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Vr),em.multiplyMatrices(n,Vr),Fo.matrixWorld=em,Fo.raycast(e,cl);for(let o=0,a=cl.length;o<
-a;o++){let l=cl[o];l.instanceId=r,l.object=this,t.push(l)}cl.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new Zo(new Float32Array(
+n),e.ray.intersectsSphere(Oo)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Vr),tm.multiplyMatrices(n,Vr),Fo.matrixWorld=tm,Fo.raycast(e,hl);for(let o=0,a=hl.length;o<
+a;o++){let l=hl[o];l.instanceId=r,l.object=this,t.push(l)}hl.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new Zo(new Float32Array(
 this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3),this}setMatrixAt(e,t){return t.toArray(this.instanceMatrix.array,e*16),this}setMorphAt(e,t){
-let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Yo(new Float32Array(s*this.count),s,this.count,oc,ui));let r=this.morphTexture.
+let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Yo(new Float32Array(s*this.count),s,this.count,ac,ui));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},er=new as,Sy=new st(.5,.5),hl=new V,Rs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},er=new as,Ty=new st(.5,.5),ul=new V,Rs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],y=r[9],
-m=r[10],g=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-x).normalize(),s[1].setComponents(c+o,f+d,g+p,C+x).normalize(),s[2].setComponents(
-c+a,f+u,g+y,C+w).normalize(),s[3].setComponents(c-a,f-u,g-y,C-w).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
-setComponents(c-l,f-h,g-m,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
+g=r[10],m=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,m-p,C-x).normalize(),s[1].setComponents(c+o,f+d,m+p,C+x).normalize(),s[2].setComponents(
+c+a,f+u,m+y,C+w).normalize(),s[3].setComponents(c-a,f-u,m-y,C-w).normalize(),n)s[4].setComponents(l,h,g,b).normalize(),s[5].setComponents(c-l,f-h,m-g,C-b).normalize();else if(s[4].
+setComponents(c-l,f-h,m-g,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,m+g,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,g,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),er.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),er.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(er)}intersectsSprite(e){er.center.set(0,0,0);let t=Sy.distanceTo(e.center);return er.
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(er)}intersectsSprite(e){er.center.set(0,0,0);let t=Ty.distanceTo(e.center);return er.
 radius=.7071067811865476+t,er.applyMatrix4(e.matrixWorld),this.intersectsSphere(er)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
-if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(hl.x=s.normal.x>0?e.max.x:e.min.x,hl.y=s.normal.
-y>0?e.max.y:e.min.y,hl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(hl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
-e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},nm=new xt,Nl=class i{constructor(){this.coordinateSystem=ci,this._frustums=[],this._count=
-0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];nm.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
-void 0&&(n[s]=new Rs),n[s].setFromProjectionMatrix(nm,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
+if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(ul.x=s.normal.x>0?e.max.x:e.min.x,ul.y=s.normal.
+y>0?e.max.y:e.min.y,ul.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(ul)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
+e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},im=new xt,Dl=class i{constructor(){this.coordinateSystem=ci,this._frustums=[],this._count=
+0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];im.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
+void 0&&(n[s]=new Rs),n[s].setFromProjectionMatrix(im,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
 void 0&&(t[s]=new Rs),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Ps=class extends ls{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
-linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Dl=new V,Ul=new V,im=new xt,Bo=new eo,ul=new as,xu=new V,sm=new V,Fl=class extends wn{constructor(e=new ln,t=new Ps){
+linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Ul=new V,Fl=new V,sm=new xt,Bo=new eo,dl=new as,yu=new V,rm=new V,Ol=class extends wn{constructor(e=new ln,t=new Ps){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
 return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==
 void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.
 slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[0];for(let s=1,r=t.
-count;s<r;s++)Dl.fromBufferAttribute(t,s-1),Ul.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=Dl.distanceTo(Ul);e.setAttribute("lineDistance",new yt(n,1))}else qe("\
+count;s<r;s++)Ul.fromBufferAttribute(t,s-1),Fl.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=Ul.distanceTo(Fl);e.setAttribute("lineDistance",new yt(n,1))}else qe("\
 Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){
-let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),ul.copy(n.boundingSphere),ul.
-applyMatrix4(s),ul.radius+=r,e.ray.intersectsSphere(ul)===!1)return;im.copy(s).invert(),Bo.copy(e.ray).applyMatrix4(im);let a=r/((this.scale.x+this.scale.y+this.
+let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),dl.copy(n.boundingSphere),dl.
+applyMatrix4(s),dl.radius+=r,e.ray.intersectsSphere(dl)===!1)return;sm.copy(s).invert(),Bo.copy(e.ray).applyMatrix4(sm);let a=r/((this.scale.x+this.scale.y+this.
 scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let y=f,
-m=p-1;y<m;y+=c){let g=d.getX(y),x=d.getX(y+1),w=dl(this,e,Bo,l,g,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),m=d.getX(f),g=dl(this,e,Bo,l,y,m,p-1);g&&
-t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,m=p-1;y<m;y+=c){let g=dl(this,e,Bo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
-let y=dl(this,e,Bo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
+g=p-1;y<g;y+=c){let m=d.getX(y),x=d.getX(y+1),w=fl(this,e,Bo,l,m,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),g=d.getX(f),m=fl(this,e,Bo,l,y,g,p-1);m&&
+t.push(m)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,g=p-1;y<g;y+=c){let m=fl(this,e,Bo,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){
+let y=fl(this,e,Bo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
-r}}}}};function dl(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Dl.fromBufferAttribute(a,s),Ul.fromBufferAttribute(a,r),t.distanceSqToSegment(Dl,Ul,xu,
-sm)>n)return;xu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(xu);if(!(c<e.near||c>e.far))return{distance:c,point:sm.clone().applyMatrix4(i.matrixWorld),
-index:o,face:null,faceIndex:null,barycoord:null,object:i}}var rm=new V,om=new V,to=class extends Fl{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
-"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)rm.fromBufferAttribute(
-t,s),om.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+rm.distanceTo(om);e.setAttribute("lineDistance",new yt(n,1))}else qe("LineSegments.computeLin\
+r}}}}};function fl(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Ul.fromBufferAttribute(a,s),Fl.fromBufferAttribute(a,r),t.distanceSqToSegment(Ul,Fl,yu,
+rm)>n)return;yu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(yu);if(!(c<e.near||c>e.far))return{distance:c,point:rm.clone().applyMatrix4(i.matrixWorld),
+index:o,face:null,faceIndex:null,barycoord:null,object:i}}var om=new V,am=new V,to=class extends Ol{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
+"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)om.fromBufferAttribute(
+t,s),am.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+om.distanceTo(am);e.setAttribute("lineDistance",new yt(n,1))}else qe("LineSegments.computeLin\
 eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Jo=class extends Gn{constructor(e=[],t=ir,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
 this.image=e}};var hs=class extends Gn{constructor(e,t,n=Mi,s,r,o,a=Mn,l=Mn,c,d=rs,u=1){if(d!==rs&&d!==ds)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
 hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:u};super(h,s,r,o,a,l,d,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
@@ -1325,67 +1325,67 @@ jo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExte
 Is=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,n,t,e,o,r,0),p("z","y","x",1,-1,
 n,t,-e,o,r,1),p("x","z","y",1,1,e,n,t,s,o,2),p("x","z","y",1,-1,e,n,-t,s,o,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,m,g,x,w,b,C,S,_,M,P){let R=b/
-_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*R-F;K[y]=ue*x,K[m]=se*w,K[g]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[m]=0,K[g]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
-G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,P),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,g,m,x,w,b,C,S,_,M,R){let P=b/
+_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[g]=se*w,K[m]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[g]=0,K[m]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
+G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,R),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Qo=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
-n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,m=new V,g=new V;for(let x=0;x<=
-p;x++){let w=0,b=0,C=0,S=0;if(x<=n){let P=x/n,R=P*Math.PI/2;b=-d-e*Math.cos(R),C=e*Math.sin(R),S=-e*Math.cos(R),w=P*u}else if(x<=n+r){let P=(x-n)/r;b=-d+P*t,C=e,
-S=0,w=u+P*h}else{let P=(x-n-r)/n,R=P*Math.PI/2;b=d+e*Math.sin(R),C=e*Math.cos(R),S=e*Math.sin(R),w=u+h+P*u}let _=Math.max(0,Math.min(1,w/f)),M=0;x===0?M=.5/s:x===
-p&&(M=-.5/s);for(let P=0;P<=s;P++){let R=P/s,I=R*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),m.set(-C*z,S,C*F),m.normalize(),
-l.push(m.x,m.y,m.z),c.push(R+M,_)}if(x>0){let P=(x-1)*y;for(let R=0;R<s;R++){let I=P+R,F=P+R+1,z=x*y+R,D=x*y+R+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
+n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,g=new V,m=new V;for(let x=0;x<=
+p;x++){let w=0,b=0,C=0,S=0;if(x<=n){let R=x/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),S=-e*Math.cos(P),w=R*u}else if(x<=n+r){let R=(x-n)/r;b=-d+R*t,C=e,
+S=0,w=u+R*h}else{let R=(x-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),S=e*Math.sin(P),w=u+h+R*u}let _=Math.max(0,Math.min(1,w/f)),M=0;x===0?M=.5/s:x===
+p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);m.x=-C*z,m.y=b,m.z=C*F,a.push(m.x,m.y,m.z),g.set(-C*z,S,C*F),g.normalize(),
+l.push(g.x,g.y,g.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ls=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
-height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],m=n/
-2,g=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
-uv",new yt(f,2));function x(){let b=new V,C=new V,S=0,_=(t-e)/n;for(let M=0;M<=r;M++){let P=[],R=M/r,I=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=I*G,C.y=-R*n+m,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-R),P.push(p++)}y.push(P)}for(let M=0;M<
-s;M++)for(let P=0;P<r;P++){let R=y[P][M],I=y[P+1][M],F=y[P+1][M+1],z=y[P][M+1];(e>0||P!==0)&&(d.push(R,I,z),S+=3),(t>0||P!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
-g,S,0),g+=S}function w(b){let C=p,S=new st,_=new V,M=0,P=b===!0?e:t,R=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,m*R,0),h.push(0,R,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
-s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=P*Y,_.y=m*R,_.z=P*G,u.push(_.x,_.y,_.z),h.push(0,R,0),S.x=G*.5+.5,S.y=Y*.5*R+.5,f.push(S.x,S.y),p++}for(let F=0;F<
-s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],g=n/
+2,m=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+uv",new yt(f,2));function x(){let b=new V,C=new V,S=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
+sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+g,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
+s;M++)for(let R=0;R<r;R++){let P=y[R][M],I=y[R+1][M],F=y[R+1][M+1],z=y[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),S+=3),(t>0||R!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
+m,S,0),m+=S}function w(b){let C=p,S=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,g*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=g*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),S.x=G*.5+.5,S.y=Y*.5*P+.5,f.push(S.x,S.y),p++}for(let F=0;F<
+s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(m,M,b===!0?1:2),m+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
 ea=class i extends Ls{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
-e.thetaLength)}},Ol=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
+e.thetaLength)}},Bl=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
 let r=[],o=[];a(s),c(n),d(),this.setAttribute("position",new yt(r,3)),this.setAttribute("normal",new yt(r.slice(),3)),this.setAttribute("uv",new yt(o,2)),s===0?
 this.computeVertexNormals():this.normalizeNormals();function a(x){let w=new V,b=new V,C=new V;for(let S=0;S<t.length;S+=3)f(t[S+0],w),f(t[S+1],b),f(t[S+2],C),l(
-w,b,C,x)}function l(x,w,b,C){let S=C+1,_=[];for(let M=0;M<=S;M++){_[M]=[];let P=x.clone().lerp(b,M/S),R=w.clone().lerp(b,M/S),I=S-M;for(let F=0;F<=I;F++)F===0&&
-M===S?_[M][F]=P:_[M][F]=P.clone().lerp(R,F/I)}for(let M=0;M<S;M++)for(let P=0;P<2*(S-M)-1;P++){let R=Math.floor(P/2);P%2===0?(h(_[M][R+1]),h(_[M+1][R]),h(_[M][R])):
-(h(_[M][R+1]),h(_[M+1][R+1]),h(_[M+1][R]))}}function c(x){let w=new V;for(let b=0;b<r.length;b+=3)w.x=r[b+0],w.y=r[b+1],w.z=r[b+2],w.normalize().multiplyScalar(
-x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=m(x)/2/Math.PI+.5,C=g(x)/Math.PI+
+w,b,C,x)}function l(x,w,b,C){let S=C+1,_=[];for(let M=0;M<=S;M++){_[M]=[];let R=x.clone().lerp(b,M/S),P=w.clone().lerp(b,M/S),I=S-M;for(let F=0;F<=I;F++)F===0&&
+M===S?_[M][F]=R:_[M][F]=R.clone().lerp(P,F/I)}for(let M=0;M<S;M++)for(let R=0;R<2*(S-M)-1;R++){let P=Math.floor(R/2);R%2===0?(h(_[M][P+1]),h(_[M+1][P]),h(_[M][P])):
+(h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(x){let w=new V;for(let b=0;b<r.length;b+=3)w.x=r[b+0],w.y=r[b+1],w.z=r[b+2],w.normalize().multiplyScalar(
+x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=g(x)/2/Math.PI+.5,C=m(x)/Math.PI+
 .5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let w=o[x+0],b=o[x+2],C=o[x+4],S=Math.max(w,b,C),_=Math.min(w,b,C);S>.9&&_<.1&&(w<.2&&(o[x+0]+=
 1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,w){let b=x*3;w.x=e[b+0],w.y=e[b+1],w.z=e[b+2]}function p(){let x=new V,w=new V,
-b=new V,C=new V,S=new st,_=new st,M=new st;for(let P=0,R=0;P<r.length;P+=9,R+=6){x.set(r[P+0],r[P+1],r[P+2]),w.set(r[P+3],r[P+4],r[P+5]),b.set(r[P+6],r[P+7],r[P+
-8]),S.set(o[R+0],o[R+1]),_.set(o[R+2],o[R+3]),M.set(o[R+4],o[R+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=m(C);y(S,R+0,x,I),y(_,R+2,w,I),y(M,R+4,b,I)}}function y(x,w,b,C){
-C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function m(x){return Math.atan2(x.z,-x.x)}function g(x){return Math.atan2(-x.y,Math.sqrt(x.x*
+b=new V,C=new V,S=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){x.set(r[R+0],r[R+1],r[R+2]),w.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
+8]),S.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=g(C);y(S,P+0,x,I),y(_,P+2,w,I),y(M,P+4,b,I)}}function y(x,w,b,C){
+C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function g(x){return Math.atan2(x.z,-x.x)}function m(x){return Math.atan2(-x.y,Math.sqrt(x.x*
 x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
-detail)}};var no=class i extends Ol{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
+detail)}};var no=class i extends Bl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},ta=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],p=[],y=[],m=[];for(let g=0;g<d;g++){let x=g*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),m.push(w/a),m.push(1-g/l)}}for(let g=0;g<
-l;g++)for(let x=0;x<a;x++){let w=x+c*g,b=x+c*(g+1),C=x+1+c*(g+1),S=x+1+c*g;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
-this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
+1,u=e/a,h=t/l,f=[],p=[],y=[],g=[];for(let m=0;m<d;m++){let x=m*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),g.push(w/a),g.push(1-m/l)}}for(let m=0;m<
+l;m++)for(let x=0;x<a;x++){let w=x+c*m,b=x+c*(m+1),C=x+1+c*(m+1),S=x+1+c*m;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
+this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var na=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],p=[],y=[],m=[];for(let g=0;g<=n;g++){let x=[],w=g/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;g===0&&o===0?_=.5/t:g===n&&l===Math.PI&&
-(_=-.5/t);for(let M=0;M<=t;M++){let P=M/t,R=s+P*r;u.x=-S*Math.cos(R),u.y=C,u.z=S*Math.sin(R),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),m.push(
-P+_,1-w),x.push(c++)}d.push(x)}for(let g=0;g<n;g++)for(let x=0;x<t;x++){let w=d[g][x+1],b=d[g][x],C=d[g+1][x],S=d[g+1][x+1];(g!==0||o>0)&&f.push(w,b,S),(g!==n-1||
-l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
+u=new V,h=new V,f=[],p=[],y=[],g=[];for(let m=0;m<=n;m++){let x=[],w=m/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;m===0&&o===0?_=.5/t:m===n&&l===Math.PI&&
+(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-S*Math.cos(P),u.y=C,u.z=S*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),g.push(
+R+_,1-w),x.push(c++)}d.push(x)}for(let m=0;m<n;m++)for(let x=0;x<t;x++){let w=d[m][x+1],b=d[m][x],C=d[m+1][x],S=d[m+1][x+1];(m!==0||o>0)&&f.push(w,b,S),(m!==n-1||
+l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
-phiLength,e.thetaStart,e.thetaLength)}};function rr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(am(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
- cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(am(s[0])){let r=[];for(let o=0,a=s.length;o<
-a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Cn(i){let e={};for(let t=0;t<i.length;t++){let n=rr(i[t]);for(let s in n)
-e[s]=n[s]}return e}function am(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function wy(i){
-let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function td(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var ng={clone:rr,merge:Cn},Ty="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
-0 );\n}",Ay="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends ls{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
-rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Ty,this.fragmentShader=Ay,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
+phiLength,e.thetaStart,e.thetaLength)}};function rr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(lm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
+ cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(lm(s[0])){let r=[];for(let o=0,a=s.length;o<
+a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Rn(i){let e={};for(let t=0;t<i.length;t++){let n=rr(i[t]);for(let s in n)
+e[s]=n[s]}return e}function lm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Ay(i){
+let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function nd(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
+!0?e.texture.colorSpace:_t.workingColorSpace}var ig={clone:rr,merge:Rn},Ey="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+0 );\n}",Cy="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends ls{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
+rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Ey,this.fragmentShader=Cy,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=rr(e.uniforms),this.uniformsGroups=wy(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=rr(e.uniforms),this.uniformsGroups=Ay(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1400,10 +1400,10 @@ fromArray(s.value);break;case"v4":this.uniforms[n].value=new Wt().fromArray(s.va
 m4":this.uniforms[n].value=new xt().fromArray(s.value);break;default:this.uniforms[n].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==
 void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),
 e.extensions!==void 0)for(let n in e.extensions)this.extensions[n]=e.extensions[n];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=
-e.clipping),this}},Bl=class extends ki{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var ia=class extends ls{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new rt(16777215),this.map=null,this.lightMap=
+e.clipping),this}},kl=class extends ki{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var ia=class extends ls{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new rt(16777215),this.map=null,this.lightMap=
 null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new rt(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.
-bumpScale=1,this.normalMap=null,this.normalMapType=zc,this.normalScale=new st(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.
-specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new os,this.combine=Ql,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=
+bumpScale=1,this.normalMap=null,this.normalMapType=Vc,this.normalScale=new st(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.
+specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new os,this.combine=ec,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=
 .98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(e)}copy(e){
 return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=
 e.aoMapIntensity,this.emissive.copy(e.emissive),this.emissiveMap=e.emissiveMap,this.emissiveIntensity=e.emissiveIntensity,this.bumpMap=e.bumpMap,this.bumpScale=
@@ -1411,113 +1411,113 @@ e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.n
 e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(
 e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.envMapIntensity=e.envMapIntensity,this.refractionRatio=e.refractionRatio,this.wireframe=
 e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.
-flatShading,this.fog=e.fog,this}},kl=class extends ls{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Vm,this.
+flatShading,this.fog=e.fog,this}},zl=class extends ls{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Gm,this.
 map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(
 e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
-e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},zl=class extends ls{constructor(e){
+e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},Vl=class extends ls{constructor(e){
 super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.
 displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
 e.displacementScale,this.displacementBias=e.displacementBias,this}};var sa=class extends Ps{constructor(e){super(),this.isLineDashedMaterial=!0,this.type="LineDashedMaterial",this.scale=1,this.dashSize=3,this.gapSize=1,this.setValues(
 e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this.gapSize=e.gapSize,this}};function Gr(i,e){return!i||i.constructor===e?i:typeof e.
-BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function fl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ns=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
+BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function pl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ns=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
 n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+
 2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}
 if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(s=r,r=t[--n-1],e>=r)break e}
 o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)
 return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){
 return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=n[r+
-o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Vl=class extends Ns{constructor(e,t,n,s){super(e,
-t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Mu,endingEnd:Mu}}intervalChanged_(e,t,n){
-let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Su:r=e,a=2*t-n;break;case wu:r=s.length-2,a=t+
-s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Su:o=e,l=2*n-t;break;case wu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Gl=class extends Ns{constructor(e,t,n,s){super(e,
+t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Su,endingEnd:Su}}intervalChanged_(e,t,n){
+let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case wu:r=e,a=2*t-n;break;case Tu:r=s.length-2,a=t+
+s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case wu:o=e,l=2*n-t;break;case Tu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,m=y*p,g=-h*m+2*
-h*y-h*p,x=(1+h)*m+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*m+(1.5+f)*y+.5*p,b=f*m-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Gl=class extends Ns{constructor(e,t,n,s){
+o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,g=y*p,m=-h*g+2*
+h*y-h*p,x=(1+h)*g+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*g+(1.5+f)*y+.5*p,b=f*g-f*y;for(let C=0;C!==a;++C)r[C]=m*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Hl=class extends Ns{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
-h]*u+o[l+h]*d;return r}},Hl=class extends Ns{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Wl=class extends Ns{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let m=0;m!==
-a;++m)r[m]=o[c+m]*y+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],m=o[l+p],g=f*h+p*2,x=u[g],w=u[g+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Cy(n,t,
-x,C,s);r[p]=ig(_,y,w,S,m)}return r}};function ig(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Ey(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
-e)+6*r*i*(n-t)+3*i*i*(s-n)}function Cy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=ig(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Ey(r,e,t,n,s);if(Math.
+h]*u+o[l+h]*d;return r}},Wl=class extends Ns{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Xl=class extends Ns{interpolate_(e,t,n,s){
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let g=0;g!==
+a;++g)r[g]=o[c+g]*y+o[l+g]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],g=o[l+p],m=f*h+p*2,x=u[m],w=u[m+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Py(n,t,
+x,C,s);r[p]=sg(_,y,w,S,g)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Ry(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+e)+6*r*i*(n-t)+3*i*i*(s-n)}function Py(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=sg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Ry(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Gr(t,this.TimeBufferType),
 this.values=Gr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
-toJSON(e);else{n={name:e.name,times:Gr(e.times,Array),values:Gr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),fl(e.
+toJSON(e);else{n={name:e.name,times:Gr(e.times,Array),values:Gr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),pl(e.
 settings)&&(n.settings={inTangents:Gr(e.settings.inTangents,Array),outTangents:Gr(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){
-return new Hl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Gl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){
-return new Vl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Wl(this.times,this.values,this.getValueSize(),e);return this.
+return new Wl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Hl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){
+return new Gl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Xl(this.times,this.values,this.getValueSize(),e);return this.
 settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case zo:t=this.InterpolantFactoryMethodDiscrete;
-break;case Cl:t=this.InterpolantFactoryMethodLinear;break;case _l:t=this.InterpolantFactoryMethodSmooth;break;case bu:t=this.InterpolantFactoryMethodBezier;break}
+break;case Rl:t=this.InterpolantFactoryMethodLinear;break;case xl:t=this.InterpolantFactoryMethodSmooth;break;case Mu:t=this.InterpolantFactoryMethodBezier;break}
 if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)
 this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return qe("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){
-switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return zo;case this.InterpolantFactoryMethodLinear:return Cl;case this.InterpolantFactoryMethodSmooth:
-return _l;case this.InterpolantFactoryMethodBezier:return bu}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,
-s=t.length;n!==s;++n)t[n]+=e;fl(this.settings)&&(lm(this.settings.inTangents,e),lm(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
-for(let n=0,s=t.length;n!==s;++n)t[n]*=e;fl(this.settings)&&(cm(this.settings.inTangents,e),cm(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
+switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return zo;case this.InterpolantFactoryMethodLinear:return Rl;case this.InterpolantFactoryMethodSmooth:
+return xl;case this.InterpolantFactoryMethodBezier:return Mu}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,
+s=t.length;n!==s;++n)t[n]+=e;pl(this.settings)&&(cm(this.settings.inTangents,e),cm(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
+for(let n=0,s=t.length;n!==s;++n)t[n]*=e;pl(this.settings)&&(hm(this.settings.inTangents,e),hm(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
 s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.
 slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Ke("KeyframeTrack: Invalid value s\
 ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];
 if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
-a,l,o),e=!1;break}o=l}if(s!==void 0&&ty(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
-e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===_l,r=e.length-1,o=1;for(let a=1;a<
+a,l,o),e=!1;break}o=l}if(s!==void 0&&iy(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
+e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===xl,r=e.length-1,o=1;for(let a=1;a<
 r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let y=t[u+p];if(y!==t[h+p]||y!==t[f+p]){
 l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
 ++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),
-n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,fl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
-slice(),outTangents:this.settings.outTangents.slice()}),s}};function lm(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function cm(i,e){for(let t=0,n=i.length;t!==
+n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,pl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
+slice(),outTangents:this.settings.outTangents.slice()}),s}};function cm(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function hm(i,e){for(let t=0,n=i.length;t!==
 n;t+=2)i[t]*=e}ni.prototype.ValueTypeName="";ni.prototype.TimeBufferType=Float32Array;ni.prototype.ValueBufferType=Float32Array;ni.prototype.DefaultInterpolation=
-Cl;var Ds=class extends ni{constructor(e,t,n){super(e,t,n)}};Ds.prototype.ValueTypeName="bool";Ds.prototype.ValueBufferType=Array;Ds.prototype.DefaultInterpolation=
-zo;Ds.prototype.InterpolantFactoryMethodLinear=void 0;Ds.prototype.InterpolantFactoryMethodSmooth=void 0;var Xl=class extends ni{constructor(e,t,n,s){super(e,t,
-n,s)}};Xl.prototype.ValueTypeName="color";var $l=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};$l.prototype.ValueTypeName="number";var ql=class extends Ns{constructor(e,t,n,s){
-super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)On.slerpFlat(r,0,
-o,c-a,o,c,l);return r}},ra=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new ql(this.times,this.values,this.getValueSize(),
+Rl;var Ds=class extends ni{constructor(e,t,n){super(e,t,n)}};Ds.prototype.ValueTypeName="bool";Ds.prototype.ValueBufferType=Array;Ds.prototype.DefaultInterpolation=
+zo;Ds.prototype.InterpolantFactoryMethodLinear=void 0;Ds.prototype.InterpolantFactoryMethodSmooth=void 0;var $l=class extends ni{constructor(e,t,n,s){super(e,t,
+n,s)}};$l.prototype.ValueTypeName="color";var ql=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};ql.prototype.ValueTypeName="number";var Yl=class extends Ns{constructor(e,t,n,s){
+super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)Bn.slerpFlat(r,0,
+o,c-a,o,c,l);return r}},ra=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new Yl(this.times,this.values,this.getValueSize(),
 e)}};ra.prototype.ValueTypeName="quaternion";ra.prototype.InterpolantFactoryMethodSmooth=void 0;var Us=class extends ni{constructor(e,t,n){super(e,t,n)}};Us.prototype.
 ValueTypeName="string";Us.prototype.ValueBufferType=Array;Us.prototype.DefaultInterpolation=zo;Us.prototype.InterpolantFactoryMethodLinear=void 0;Us.prototype.InterpolantFactoryMethodSmooth=
-void 0;var Yl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Yl.prototype.ValueTypeName="vector";var Zl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
+void 0;var Zl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Zl.prototype.ValueTypeName="vector";var Jl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
 itemStart=function(d){a++,r===!1&&s.onStart!==void 0&&s.onStart(d,o,a),r=!0},this.itemEnd=function(d){o++,s.onProgress!==void 0&&s.onProgress(d,o,a),o===a&&(r=!1,
 s.onLoad!==void 0&&s.onLoad())},this.itemError=function(d){s.onError!==void 0&&s.onError(d)},this.resolveURL=function(d){return d=d.normalize("NFC"),l?l(d):d},this.
 setURLModifier=function(d){return l=d,this},this.addHandler=function(d,u){return c.push(d,u),this},this.removeHandler=function(d){let u=c.indexOf(d);return u!==
 -1&&c.splice(u,2),this},this.getHandler=function(d){for(let u=0,h=c.length;u<h;u+=2){let f=c[u],p=c[u+1];if(f.global&&(f.lastIndex=0),f.test(d))return p}return null},
 this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=
-new AbortController),this._abortController}},sg=new Zl,Jl=class{constructor(e){this.manager=e!==void 0?e:sg,this.crossOrigin="anonymous",this.withCredentials=!1,
+new AbortController),this._abortController}},rg=new Jl,Kl=class{constructor(e){this.manager=e!==void 0?e:rg,this.crossOrigin="anonymous",this.withCredentials=!1,
 this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(
 new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.
 crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){
-return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Jl.DEFAULT_MATERIAL_NAME=
+return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Kl.DEFAULT_MATERIAL_NAME=
 "__DEFAULT";var oa=class extends wn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new rt(e),this.
 intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.
 color.getHex(),t.object.intensity=this.intensity,t}},aa=class extends oa{constructor(e,t,n){super(e,n),this.isHemisphereLight=!0,this.type="HemisphereLight",this.
 position.copy(wn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new rt(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){
-let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},yu=new xt,hm=new V,um=new V,Kl=class{constructor(e){this.camera=e,this.intensity=
+let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},vu=new xt,um=new V,dm=new V,jl=class{constructor(e){this.camera=e,this.intensity=
 1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new st(512,512),this.mapType=Hn,this.map=null,this.mapPass=null,
 this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Rs,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
-1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;hm.setFromMatrixPosition(
-e.matrixWorld),t.position.copy(hm),um.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(um),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
-yu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(yu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
+1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;um.setFromMatrixPosition(
+e.matrixWorld),t.position.copy(um),dm.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(dm),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
+vu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(vu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
 x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===Zr||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*
-o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(yu)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
+o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(vu)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
 map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,
 this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=
 e.mapType,this.biasNode=e.biasNode,this}clone(){return new this.constructor().copy(this)}toJSON(){let e={};return e.intensity=this.intensity,e.bias=this.bias,e.
 normalBias=this.normalBias,e.radius=this.radius,e.blurSamples=this.blurSamples,e.mapSize=this.mapSize.toArray(),e.mapType=this.mapType,e.camera=this.camera.toJSON(
-!1).object,delete e.camera.matrix,e}},pl=new V,ml=new On,Di=new V,la=class extends wn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=
+!1).object,delete e.camera.matrix,e}},ml=new V,gl=new Bn,Di=new V,la=class extends wn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=
 new xt,this.projectionMatrix=new xt,this.projectionMatrixInverse=new xt,this.coordinateSystem=ci,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){
 return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),
 this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.
-matrixWorld.decompose(pl,ml,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(pl,ml,Di.set(
-1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(pl,ml,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.
-copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(pl,ml,Di.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Es=new V,dm=new st,
-fm=new st,Un=class extends la{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
+matrixWorld.decompose(ml,gl,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ml,gl,Di.set(
+1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(ml,gl,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.
+copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ml,gl,Di.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Es=new V,fm=new st,
+pm=new st,Fn=class extends la{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
 n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.
 fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=
-e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Rl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
-let e=Math.tan(Kh*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Rl*2*Math.atan(Math.tan(Kh*.5*this.fov)/this.zoom)}getFilmWidth(){return this.
+e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Pl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
+let e=Math.tan(jh*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Pl*2*Math.atan(Math.tan(jh*.5*this.fov)/this.zoom)}getFilmWidth(){return this.
 filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){Es.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),
 t.set(Es.x,Es.y).multiplyScalar(-e/Es.z),Es.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(Es.x,Es.y).multiplyScalar(-e/Es.z)}getViewSize(e,t){return this.
-getViewBounds(e,dm,fm),t.subVectors(fm,dm)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
+getViewBounds(e,fm,pm),t.subVectors(pm,fm)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
 offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.
 height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.
-near,t=e*Math.tan(Kh*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=
+near,t=e*Math.tan(jh*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=
 o.offsetX*s/l,t-=o.offsetY*n/c,s*=o.width/l,n*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,
 t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.
 object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&
@@ -1531,34 +1531,34 @@ left)/2,s=(this.top+this.bottom)/2,r=n-e,o=n+e,a=s+t,l=s-t;if(this.view!==null&&
 top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=d*this.view.offsetY,l=a-d*this.view.height}this.projectionMatrix.
 makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){
 let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.
-near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Tu=class extends Kl{constructor(){super(new ca(-5,5,5,-5,
+near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Au=class extends jl{constructor(){super(new ca(-5,5,5,-5,
 .5,500)),this.isDirectionalLightShadow=!0}},io=class extends oa{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
-copy(wn.DEFAULT_UP),this.updateMatrix(),this.target=new wn,this.shadow=new Tu}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.
+copy(wn.DEFAULT_UP),this.updateMatrix(),this.target=new wn,this.shadow=new Au}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.
 target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.
-uuid,t}};var Hr=-90,Wr=1,so=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Un(
-Hr,Wr,e,t);s.layers=this.layers,this.add(s);let r=new Un(Hr,Wr,e,t);r.layers=this.layers,this.add(r);let o=new Un(Hr,Wr,e,t);o.layers=this.layers,this.add(o);let a=new Un(
-Hr,Wr,e,t);a.layers=this.layers,this.add(a);let l=new Un(Hr,Wr,e,t);l.layers=this.layers,this.add(l);let c=new Un(Hr,Wr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
+uuid,t}};var Hr=-90,Wr=1,so=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Fn(
+Hr,Wr,e,t);s.layers=this.layers,this.add(s);let r=new Fn(Hr,Wr,e,t);r.layers=this.layers,this.add(r);let o=new Fn(Hr,Wr,e,t);o.layers=this.layers,this.add(o);let a=new Fn(
+Hr,Wr,e,t);a.layers=this.layers,this.add(a);let l=new Fn(Hr,Wr,e,t);l.layers=this.layers,this.add(l);let c=new Fn(Hr,Wr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
 let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===ci)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
 -1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===Zr)n.up.set(
 0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
 this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=
-!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,
-e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
-u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},jl=class extends Un{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
-e,this.perCameraFrustumCulled=!1}};var nd="\\[\\]\\.:\\/",Ry=new RegExp("["+nd+"]","g"),id="[^"+nd+"]",Py="[^"+nd.replace("\\.","")+"]",Iy=/((?:WC+[\/:])*)/.source.replace("WC",id),Ly=/(WCOD+)?/.
-source.replace("WCOD",Py),Ny=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",id),Dy=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",id),Uy=new RegExp("^"+Iy+Ly+Ny+Dy+
-"$"),Fy=["material","materials","bones","map"],Au=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
+!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,
+e.setRenderTarget(n,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
+n,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),g&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
+u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Ql=class extends Fn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
+e,this.perCameraFrustumCulled=!1}};var id="\\[\\]\\.:\\/",Iy=new RegExp("["+id+"]","g"),sd="[^"+id+"]",Ly="[^"+id.replace("\\.","")+"]",Ny=/((?:WC+[\/:])*)/.source.replace("WC",sd),Dy=/(WCOD+)?/.
+source.replace("WCOD",Ly),Uy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",sd),Fy=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",sd),Oy=new RegExp("^"+Ny+Dy+Uy+Fy+
+"$"),By=["material","materials","bones","map"],Eu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
 this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.
 nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){
 let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},Vt=class i{constructor(e,t,n){this.path=t,this.parsedPath=
 n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){
-return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Ry,"")}static parseTrackName(e){
-let t=Uy.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
-propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Fy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
+return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Iy,"")}static parseTrackName(e){
+let t=Oy.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
+propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);By.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
 substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from track\
 Name: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);
 if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}
@@ -1589,47 +1589,47 @@ or track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None
 l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.
 resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.
 setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Vt.Composite=
-Au;Vt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Vt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Vt.
+Eu;Vt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Vt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Vt.
 prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getValue_array,Vt.prototype._getValue_arrayElement,Vt.prototype._getValue_toArray];Vt.
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var k1=new Float32Array(1);var pm=new xt,ha=class{constructor(e,t,n=0,s=1/0){this.ray=new eo(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new jr,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var G1=new Float32Array(1);var mm=new xt,ha=class{constructor(e,t,n=0,s=1/0){this.ray=new eo(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new jr,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
-return pm.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(pm),this}intersectObject(e,t=!0,n=[]){
-return Eu(e,this,n,t),n.sort(mm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Eu(e[s],this,n,t);return n.sort(mm),n}};function mm(i,e){return i.
-distance-e.distance}function Eu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
-a;o++)Eu(r[o],e,t,!0)}}var Cu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var gm=new V,gl=new V,Xr=new V,$r=new V,vu=new V,Oy=new V,By=new V,ua=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
+return mm.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(mm),this}intersectObject(e,t=!0,n=[]){
+return Cu(e,this,n,t),n.sort(gm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Cu(e[s],this,n,t);return n.sort(gm),n}};function gm(i,e){return i.
+distance-e.distance}function Cu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
+a;o++)Cu(r[o],e,t,!0)}}var Ru=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var _m=new V,_l=new V,Xr=new V,$r=new V,bu=new V,ky=new V,zy=new V,ua=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
 e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(
 .5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){
-return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){gm.subVectors(e,this.start),gl.subVectors(this.end,this.start);let n=gl.
-dot(gl);if(n===0)return 0;let r=gl.dot(gm)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
-n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Oy,n=By){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
-$r.subVectors(d,l),vu.subVectors(a,l);let u=Xr.dot(Xr),h=$r.dot($r),f=$r.dot(vu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let p=Xr.dot(vu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),m=u*h-y*y;m!==0?r=at((y*f-p*h)/m,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){_m.subVectors(e,this.start),_l.subVectors(this.end,this.start);let n=_l.
+dot(_l);if(n===0)return 0;let r=_l.dot(_m)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
+n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=ky,n=zy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
+$r.subVectors(d,l),bu.subVectors(a,l);let u=Xr.dot(Xr),h=$r.dot($r),f=$r.dot(bu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
+h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),g=u*h-y*y;g!==0?r=at((y*f-p*h)/g,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
 1)):o>1&&(o=1,r=at((y-p)/u,0,1))}}return t.copy(a).addScaledVector(Xr,r),n.copy(l).addScaledVector($r,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var da=class extends to{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Ps({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function sd(i,e,t,n){let s=ky(n);switch(t){case qu:return i*e;case oc:return i*e/s.components*s.byteLength;case ac:return i*e/s.components*s.byteLength;case Os:
-return i*e*2/s.components*s.byteLength;case lc:return i*e*2/s.components*s.byteLength;case Yu:return i*e*3/s.components*s.byteLength;case wi:return i*e*4/s.components*
-s.byteLength;case cc:return i*e*4/s.components*s.byteLength;case ma:case ga:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case _a:case xa:return Math.floor((i+
-3)/4)*Math.floor((e+3)/4)*16;case uc:case fc:return Math.max(i,16)*Math.max(e,8)/4;case hc:case dc:return Math.max(i,8)*Math.max(e,8)/2;case pc:case mc:case _c:case xc:
-return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case gc:case ya:case yc:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case vc:return Math.floor((i+3)/4)*Math.
-floor((e+3)/4)*16;case bc:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case Mc:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case Sc:return Math.floor(
-(i+5)/6)*Math.floor((e+4)/5)*16;case wc:return Math.floor((i+5)/6)*Math.floor((e+5)/6)*16;case Tc:return Math.floor((i+7)/8)*Math.floor((e+4)/5)*16;case Ac:return Math.
-floor((i+7)/8)*Math.floor((e+5)/6)*16;case Ec:return Math.floor((i+7)/8)*Math.floor((e+7)/8)*16;case Cc:return Math.floor((i+9)/10)*Math.floor((e+4)/5)*16;case Rc:
-return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Pc:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Ic:return Math.floor((i+9)/10)*Math.floor((e+
-9)/10)*16;case Lc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Nc:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Dc:case Uc:case Fc:return Math.
-ceil(i/4)*Math.ceil(e/4)*16;case Oc:case Bc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case va:case kc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function ky(i){switch(i){case Hn:case Hu:return{byteLength:1,components:1};case lo:case Wu:case Si:
-return{byteLength:2,components:1};case sc:case rc:return{byteLength:2,components:4};case Mi:case ic:case ui:return{byteLength:4,components:1};case Xu:case $u:return{
+this.geometry.dispose(),this.material.dispose()}};function rd(i,e,t,n){let s=Vy(n);switch(t){case Yu:return i*e;case ac:return i*e/s.components*s.byteLength;case lc:return i*e/s.components*s.byteLength;case Os:
+return i*e*2/s.components*s.byteLength;case cc:return i*e*2/s.components*s.byteLength;case Zu:return i*e*3/s.components*s.byteLength;case wi:return i*e*4/s.components*
+s.byteLength;case hc:return i*e*4/s.components*s.byteLength;case ma:case ga:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case _a:case xa:return Math.floor((i+
+3)/4)*Math.floor((e+3)/4)*16;case dc:case pc:return Math.max(i,16)*Math.max(e,8)/4;case uc:case fc:return Math.max(i,8)*Math.max(e,8)/2;case mc:case gc:case xc:case yc:
+return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case _c:case ya:case vc:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case bc:return Math.floor((i+3)/4)*Math.
+floor((e+3)/4)*16;case Mc:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case Sc:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case wc:return Math.floor(
+(i+5)/6)*Math.floor((e+4)/5)*16;case Tc:return Math.floor((i+5)/6)*Math.floor((e+5)/6)*16;case Ac:return Math.floor((i+7)/8)*Math.floor((e+4)/5)*16;case Ec:return Math.
+floor((i+7)/8)*Math.floor((e+5)/6)*16;case Cc:return Math.floor((i+7)/8)*Math.floor((e+7)/8)*16;case Rc:return Math.floor((i+9)/10)*Math.floor((e+4)/5)*16;case Pc:
+return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Ic:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Lc:return Math.floor((i+9)/10)*Math.floor((e+
+9)/10)*16;case Nc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Dc:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Uc:case Fc:case Oc:return Math.
+ceil(i/4)*Math.ceil(e/4)*16;case Bc:case kc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case va:case zc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
+le to determine texture byte length for ".concat(t," format."))}function Vy(i){switch(i){case Hn:case Wu:return{byteLength:1,components:1};case lo:case Xu:case Si:
+return{byteLength:2,components:1};case rc:case oc:return{byteLength:2,components:4};case Mi:case sc:case ui:return{byteLength:4,components:1};case $u:case qu:return{
 byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?qe("\
-WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Ag(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
-s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Vy(i){let e=new WeakMap;
+WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Eg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
+s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Hy(i){let e=new WeakMap;
 function t(a,l){let c=a.array,d=a.usage,u=c.byteLength,h=i.createBuffer();i.bindBuffer(l,h),i.bufferData(l,c,d),a.onUploadCallback();let f;if(c instanceof Float32Array)
 f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=i.HALF_FLOAT:f=
 i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof
@@ -1642,7 +1642,7 @@ a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i
 (a=a.data),a.isGLBufferAttribute){let d=e.get(a);(!d||d.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
 return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
  of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{
-get:s,remove:r,update:o}}var Gy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Hy="#ifdef USE_ALPHAHASH\n c\
+get:s,remove:r,update:o}}var Wy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Xy="#ifdef USE_ALPHAHASH\n c\
 onst float ALPHA_HASH_SCALE = 0.05;\n float hash2D( vec2 value ) {\n  return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value\
 .y + value.x ) ) ) );\n }\n float hash3D( vec3 value ) {\n  return hash2D( vec2( hash2D( value.xy ), value.z ) );\n }\n float getAlphaHashThreshold( vec3 position ) \
 {\n  float maxDeriv = max(\n   length( dFdx( position.xyz ) ),\n   length( dFdy( position.xyz ) )\n  );\n  float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );\n  \
@@ -1650,28 +1650,28 @@ vec2 pixScales = vec2(\n   exp2( floor( log2( pixScale ) ) ),\n   exp2( ceil( lo
 ion.xyz ) ),\n   hash3D( floor( pixScales.y * position.xyz ) )\n  );\n  float lerpFactor = fract( log2( pixScale ) );\n  float x = ( 1.0 - lerpFactor ) * alpha.x + \
 lerpFactor * alpha.y;\n  float a = min( lerpFactor, 1.0 - lerpFactor );\n  vec3 cases = vec3(\n   x * x / ( 2.0 * a * ( 1.0 - a ) ),\n   ( x - 0.5 * a ) / ( 1.0 - a\
  ),\n   1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )\n  );\n  float threshold = ( x < ( 1.0 - a ) )\n   ? ( ( x < a ) ? cases.x : cases.y )\n   : \
-cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",Wy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",Xy="\
-#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",$y="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
- + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",qy="\
-#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",Yy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
+cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",$y="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",qy="\
+#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Yy="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
+ + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",Zy="\
+#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",Jy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
 y + 1.0;\n reflectedLight.indirectDiffuse *= ambientOcclusion;\n #if defined( USE_CLEARCOAT ) \n  clearcoatSpecularIndirect *= ambientOcclusion;\n #endif\n #if defin\
 ed( USE_SHEEN ) \n  sheenSpecularIndirect *= ambientOcclusion;\n #endif\n #if defined( USE_ENVMAP ) && defined( STANDARD )\n  float dotNV = saturate( dot( geometryN\
-ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Zy="\
-#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",Jy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
+ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Ky="\
+#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",jy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
 rawID _gl_DrawID\n uniform int _gl_DrawID;\n #endif\n uniform highp sampler2D batchingTexture;\n uniform highp usampler2D batchingIdTexture;\n mat4 getBatchingMatrix\
 ( const in float i ) {\n  int size = textureSize( batchingTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % size;\n  int y = j / size;\n  vec4 v1 = texelFetch(\
  batchingTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y \
 ), 0 );\n  vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n float getIndirectIndex( const in int i ) {\n  int s\
 ize = textureSize( batchingIdTexture, 0 ).x;\n  int x = i % size;\n  int y = i / size;\n  return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );\n }\n#\
 endif\n#ifdef USE_BATCHING_COLOR\n uniform sampler2D batchingColorTexture;\n vec4 getBatchingColor( const in float i ) {\n  int size = textureSize( batchingColorTex\
-ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Ky="#if\
-def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",jy="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
-ASH\n vPosition = vec3( position );\n#endif",Qy="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",ev="\
+ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Qy="#if\
+def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",ev="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
+ASH\n vPosition = vec3( position );\n#endif",tv="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",nv="\
 float G_BlinnPhong_Implicit( ) {\n return 0.25;\n}\nfloat D_BlinnPhong( const in float shininess, const in float dotNH ) {\n return RECIPROCAL_PI * ( shininess * 0.\
 5 + 1.0 ) * pow( dotNH, shininess );\n}\nvec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, c\
 onst in float shininess ) {\n vec3 halfDir = normalize( lightDir + viewDir );\n float dotNH = saturate( dot( normal, halfDir ) );\n float dotVH = saturate( dot( vi\
 ewDir, halfDir ) );\n vec3 F = F_Schlick( specularColor, 1.0, dotVH );\n float G = G_BlinnPhong_Implicit( );\n float D = D_BlinnPhong( shininess, dotNH );\n return \
-F * ( G * D );\n} // validated",tv="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
+F * ( G * D );\n} // validated",iv="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
 2040259,\n  -0.4985314,  0.0415560,  1.0572252\n );\n vec3 Fresnel0ToIor( vec3 fresnel0 ) {\n  vec3 sqrtF0 = sqrt( fresnel0 );\n  return ( vec3( 1.0 ) + sqrtF0 ) / (\
  vec3( 1.0 ) - sqrtF0 );\n }\n vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmit\
 tedIor + vec3( incidentIor ) ) );\n }\n float IorToFresnel0( float transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - incidentIor ) / ( trans\
@@ -1688,12 +1688,12 @@ seIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );  vec3 R1 = IorToFresnel0(
 escenceIOR ) phi23[ 2 ] = PI;\n  float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;\n  vec3 phi = vec3( phi21 ) + phi23;\n  vec3 R123 = clamp( R12 *\
  R23, 1e-5, 0.9999 );\n  vec3 r123 = sqrt( R123 );\n  vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );\n  vec3 C0 = R12 + Rs;\n  I = C0;\n  vec3 Cm = Rs - T121\
 ;\n  for ( int m = 1; m <= 2; ++ m ) {\n   Cm *= r123;\n   vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );\n   I += Cm * Sm;\n  }\n  return max\
-( I, vec3( 0.0 ) );\n }\n#endif",nv="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
+( I, vec3( 0.0 ) );\n }\n#endif",sv="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
 v );\n  vec2 dSTdy = dFdy( vBumpMapUv );\n  float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;\n  float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv +\
  dSTdx ).x - Hll;\n  float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;\n  return vec2( dBx, dBy );\n }\n vec3 perturbNormalArb( vec3 surf_po\
 s, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {\n  vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );\n  vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );\n \
  vec3 vN = surf_norm;\n  vec3 R1 = cross( vSigmaY, vN );\n  vec3 R2 = cross( vN, vSigmaX );\n  float fDet = dot( vSigmaX, R1 ) * faceDirection;\n  vec3 vGrad = sign\
-( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",iv="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
+( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",rv="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
 ifdef ALPHA_TO_COVERAGE\n  float distanceToPlane, distanceGradient;\n  float clipOpacity = 1.0;\n  #pragma unroll_loop_start\n  for ( int i = 0; i < UNION_CLIPPING_\
 PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;\n   distanceGradient = fwidth( distanceToPlane\
  ) / 2.0;\n   clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );\n   if ( clipOpacity == 0.0 ) discard;\n  }\n  #pragma unroll_loop\
@@ -1704,13 +1704,13 @@ _end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   float unionClipOpaci
 or ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;\n  }\n  #pragma u\
 nroll_loop_end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   bool clipped = true;\n   #pragma unroll_loop_start\n   for ( int i = UNION_CLIPPING_PLANES; i \
 < NUM_CLIPPING_PLANES; i ++ ) {\n    plane = clippingPlanes[ i ];\n    clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;\n   }\n   #pragma unroll_\
-loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",sv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
-CLIPPING_PLANES ];\n#endif",rv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",ov="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
-.xyz;\n#endif",av="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",lv="#if defined( USE_COLOR ) || defined( USE_COLOR_\
-ALPHA )\n varying vec4 vColor;\n#endif",cv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
-OLOR )\n varying vec4 vColor;\n#endif",hv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
+loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",ov="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
+CLIPPING_PLANES ];\n#endif",av="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",lv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
+.xyz;\n#endif",cv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",hv="#if defined( USE_COLOR ) || defined( USE_COLOR_\
+ALPHA )\n varying vec4 vColor;\n#endif",uv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
+OLOR )\n varying vec4 vColor;\n#endif",dv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
 LOR )\n vColor = vec4( 1.0 );\n#endif\n#ifdef USE_COLOR_ALPHA\n vColor *= color;\n#elif defined( USE_COLOR )\n vColor.rgb *= color;\n#endif\n#ifdef USE_INSTANCING_COLOR\
-\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",uv="#define PI 3.\
+\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",fv="#define PI 3.\
 141592653589793\n#define PI2 6.283185307179586\n#define PI_HALF 1.5707963267948966\n#define RECIPROCAL_PI 0.3183098861837907\n#define RECIPROCAL_PI2 0.1591549430918\
 9535\n#define EPSILON 1e-6\n#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\nfloat pow2( co\
 nst in float x ) { return x*x; }\nvec3 pow2( const in vec3 x ) { return x*x; }\nfloat pow3( const in float x ) { return x*x*x; }\nfloat pow4( const in float x ) { \
@@ -1726,51 +1726,51 @@ c4( dir, 0.0 ) * viewMatrix ).xyz );\n}\nbool isPerspectiveMatrix( mat4 m ) {\n 
 r.z, dir.x ) * RECIPROCAL_PI2 + 0.5;\n float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;\n return vec2( u, v );\n}\nvec3 BRDF_Lambert( const in ve\
 c3 diffuseColor ) {\n return RECIPROCAL_PI * diffuseColor;\n}\nvec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {\n float fresnel = exp2\
 ( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n}\nfloat F_Schlick( const in float f0, const in float f90, const\
- in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",dv="\
+ in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",pv="\
 vec3 transformedNormal = objectNormal;\n#ifdef USE_TANGENT\n vec3 transformedTangent = objectTangent;\n#endif\n#ifdef USE_BATCHING\n mat3 bm = mat3( batchingMatrix )\
 ;\n transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );\n transformedNormal = bm * transformedNormal;\n #ifdef \
 USE_TANGENT\n  transformedTangent = bm * transformedTangent;\n #endif\n#endif\n#ifdef USE_INSTANCING\n mat3 im = mat3( instanceMatrix );\n transformedNormal /= vec3( \
 dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );\n transformedNormal = im * transformedNormal;\n #ifdef USE_TANGENT\n  transformedTange\
 nt = im * transformedTangent;\n #endif\n#endif\ntransformedNormal = normalMatrix * transformedNormal;\n#ifdef FLIP_SIDED\n transformedNormal = - transformedNormal;\n#\
-endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",fv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
-pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",pv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
-objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",mv="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
+endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",mv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
+pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",gv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
+objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",_v="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
 veColor = texture2D( emissiveMap, vEmissiveMapUv );\n #ifdef DECODE_VIDEO_TEXTURE_EMISSIVE\n  emissiveColor = sRGBTransferEOTF( emissiveColor );\n #endif\n totalEmi\
-ssiveRadiance *= emissiveColor.rgb;\n#endif",gv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",_v="gl_FragColor = linearToOutputTexel( gl_Fra\
-gColor );",xv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
+ssiveRadiance *= emissiveColor.rgb;\n#endif",xv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",yv="gl_FragColor = linearToOutputTexel( gl_Fra\
+gColor );",vv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
 2986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );\n}\nvec4 sRGBTransferOETF(\
  in vec4 value ) {\n return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031\
-308 ) ) ) ), value.a );\n}",yv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
+308 ) ) ) ), value.a );\n}",bv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
 atrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToFrag = normalize( vWorldPosition - cameraPosition );\n  }\n  vec3 world\
 Normal = transformNormalByInverseViewMatrix( normal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vec3 reflectVec = reflect( cameraToFrag, worldNormal );\n  \
 #else\n   vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );\n  #endif\n #else\n  vec3 reflectVec = vReflect;\n #endif\n #ifdef ENVMAP_TYPE_CUBE\
 \n  vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );\n  #ifdef ENVMAP_BLENDING_MULTIPLY\n   outgoingLight = mix( outgoingLight, outgoingLight * \
 envColor.xyz, specularStrength * reflectivity );\n  #elif defined( ENVMAP_BLENDING_MIX )\n   outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * \
-reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",vv="#if\
+reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",Mv="#if\
 def USE_ENVMAP\n uniform float envMapIntensity;\n uniform mat3 envMapRotation;\n uniform samplerCube envMap;\n #ifdef ENVMAP_TYPE_PMREM\n  float roughnessToMip( cons\
-t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",bv="#ifdef USE_ENVMAP\n \
+t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Sv="#ifdef USE_ENVMAP\n \
 uniform float reflectivity;\n #if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #i\
-fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",Mv="#ifdef USE_ENVMAP\n #\
+fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",wv="#ifdef USE_ENVMAP\n #\
 if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #ifdef ENV_WORLDPOS\n  \n  varying\
- vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Sv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
+ vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Tv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
 osition = worldPosition.xyz;\n #else\n  vec3 cameraToVertex;\n  if ( isOrthographic ) {\n   cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ \
 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToVertex = normalize( worldPosition.xyz - cameraPosition );\n  }\n  vec3 worldNormal = transformNormalBy\
 InverseViewMatrix( transformedNormal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vReflect = reflect( cameraToVertex, worldNormal );\n  #else\n   vReflect = \
-refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",wv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Tv="#ifdef USE_FO\
-G\n varying float vFogDepth;\n#endif",Av="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
-else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Ev="#if\
+refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Av="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Ev="#ifdef USE_FO\
+G\n varying float vFogDepth;\n#endif",Cv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
+else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Rv="#if\
 def USE_FOG\n uniform vec3 fogColor;\n varying float vFogDepth;\n #ifdef FOG_EXP2\n  uniform float fogDensity;\n #else\n  uniform float fogNear;\n  uniform float fogFa\
-r;\n #endif\n#endif",Cv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
+r;\n #endif\n#endif",Pv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
 otNL = dot( normal, lightDirection );\n vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );\n #ifdef USE_GRADIENTMAP\n  return vec3( texture2D( gradientMap, coord ).r );\n\
- #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Rv="#ifdef USE\
-_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Pv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
-rial.specularStrength = specularStrength;",Iv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
+ #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Iv="#ifdef USE\
+_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Lv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
+rial.specularStrength = specularStrength;",Nv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
 ct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geome\
 tryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.directi\
 on ) );\n vec3 irradiance = dotNL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDif\
 fuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClear\
 coatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.di\
-ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Lv="uniform bool receiveShadow;\nuniform vec3 a\
+ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Dv="uniform bool receiveShadow;\nuniform vec3 a\
 mbientLightColor;\n#if defined( USE_LIGHT_PROBES )\n uniform vec3 lightProbe[ 9 ];\n#endif\nvec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {\n\
  float x = normal.x, y = normal.y, z = normal.z;\n vec3 result = shCoefficients[ 0 ] * 0.886227;\n result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;\n result += \
 shCoefficients[ 2 ] * 2.0 * 0.511664 * z;\n result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;\n result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;\n result \
@@ -1800,7 +1800,7 @@ r = vec3( 0.0 );\n   light.visible = false;\n  }\n }\n#endif\n#if NUM_RECT_AREA_
 TS > 0\n struct HemisphereLight {\n  vec3 direction;\n  vec3 skyColor;\n  vec3 groundColor;\n };\n uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];\n vec3 \
 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {\n  float dotNL = dot( normal, hemiLight.direction );\n  float hemiDiffu\
 seWeight = 0.5 * dotNL + 0.5;\n  vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );\n  return irradiance;\n }\n#endif\n#include <\
-lightprobes_pars_fragment>",Nv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
+lightprobes_pars_fragment>",Uv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
 malByInverseViewMatrix( normal, viewMatrix );\n   vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );\n   return PI * envMapCol\
 or.rgb * envMapIntensity;\n  #else\n   return vec3( 0.0 );\n  #endif\n }\n vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness\
  ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 reflectVec = reflect( - viewDir, normal );\n   reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );\n  \
@@ -1816,14 +1816,14 @@ TROPY\n  vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 nor
 const in float roughness, const in vec3 bitangent, const in float anisotropy ) {\n    #ifdef ENVMAP_TYPE_PMREM\n     vec3 bentNormal = cross( bitangent, viewDir )\
 ;\n     bentNormal = normalize( cross( bentNormal, bitangent ) );\n     bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - ro\
 ughness ) ) ) ) );\n     return getIBLRetroRadiance( viewDir, bentNormal, roughness );\n    #else\n     return vec3( 0.0 );\n    #endif\n   }\n  #endif\n #endif\n#endif",
-Dv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Uv="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
+Fv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Ov="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
 ct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometry\
 ClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {\n vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.d\
 irection ) * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDiffuse_Toon( const in ve\
 c3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Toon\
 Material material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\n#define RE_D\
-irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Fv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
-l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Ov="varying vec3 vViewPosition;\nstruct Blin\
+irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Bv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
+l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",kv="varying vec3 vViewPosition;\nstruct Blin\
 nPhongMaterial {\n vec3 diffuseColor;\n vec3 specularColor;\n float specularShininess;\n float specularStrength;\n};\nvoid RE_Direct_BlinnPhong( const in IncidentLigh\
 t directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Blin\
 nPhongMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.direction ) );\n vec3 irradiance = dot\
@@ -1831,7 +1831,7 @@ NL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lamb
 _BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;\n}\nvoid RE\
 _IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec\
 3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_La\
-mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Bv="PhysicalMaterial m\
+mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",zv="PhysicalMaterial m\
 aterial;\nmaterial.diffuseColor = diffuseColor.rgb;\nmaterial.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );\nmaterial.metalness = metalnessFa\
 ctor;\nvec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );\nfloat geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );\nmater\
 ial.roughness = max( roughnessFactor, 0.045 );\nmaterial.roughness += geometryRoughness;\nmaterial.roughness = min( material.roughness, 1.0 );\n#ifdef USE_DIFFUSE_\
@@ -1859,7 +1859,7 @@ exture2D( anisotropyMap, vAnisotropyMapUv ).rgb;\n  vec2 anisotropyV = anisotrop
 #else\n  vec2 anisotropyV = anisotropyVector;\n #endif\n material.anisotropy = length( anisotropyV );\n if( material.anisotropy == 0.0 ) {\n  anisotropyV = vec2( 1.0\
 , 0.0 );\n } else {\n  anisotropyV /= material.anisotropy;\n  material.anisotropy = saturate( material.anisotropy );\n }\n material.alphaT = mix( pow2( material.roug\
 hness ), 1.0, pow2( material.anisotropy ) );\n material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;\n material.anisotropyB = tbn[ 1 ] * ani\
-sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",kv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
+sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Vv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
 cularColor;\n vec3 specularColorBlended;\n float roughness;\n float metalness;\n float specularF90;\n float dispersion;\n vec2 dfg;\n vec3 multiScatteringCompensation;\
 \n #ifdef USE_DIFFUSE_ROUGHNESS\n  float diffuseRoughness;\n #endif\n #ifdef USE_RETROREFLECTION\n  float retroreflectivity;\n #endif\n #ifdef USE_CLEARCOAT\n  float cl\
 earcoat;\n  float clearcoatRoughness;\n  vec3 clearcoatF0;\n  float clearcoatF90;\n #endif\n #ifdef USE_IRIDESCENCE\n  float iridescence;\n  float iridescenceIOR;\n  fl\
@@ -1992,7 +1992,7 @@ nce;\n vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;\n #ifdef USE_S
 nergyComp;\n #endif\n reflectedLight.indirectSpecular += indirectSpecular;\n reflectedLight.indirectDiffuse += indirectDiffuse;\n}\n#define RE_Direct    RE_Direct_Ph\
 ysical\n#define RE_Direct_RectArea  RE_Direct_RectArea_Physical\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Physical\n#define RE_IndirectSpecular  RE_IndirectS\
 pecular_Physical\nfloat computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {\n return saturate( pow( dotN\
-V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",zv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
+V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Gv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
 mal;\nvec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );\nvec3 geometryClearcoatNormal = vec3( 0.0 );\n#ifdef USE_CLEARCOAT\n\
  geometryClearcoatNormal = clearcoatNormal;\n#endif\n#ifdef USE_IRIDESCENCE\n float dotNVi = saturate( dot( normal, geometryViewDir ) );\n if ( material.iridescence\
 Thickness == 0.0 ) {\n  material.iridescence = 0.0;\n } else {\n  material.iridescence = saturate( material.iridescence );\n }\n if ( material.iridescence > 0.0 ) {\n\
@@ -2042,7 +2042,7 @@ ion, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;\n  vec3 probeWorldNormal = tr
 Min[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;\n  }\n  #pragma unroll_loop_end\n  #pragma unroll_loop_start\n  for ( int i = 0\
 ; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {\n   if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probe\
 sMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if defined( RE_IndirectSpecular )\n vec3 radia\
-nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Vv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
+nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Hv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
  lightMap, vLightMapUv );\n  vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;\n  irradiance += lightMapIrradiance;\n #endif\n #if defined( USE_ENVMA\
 P ) && defined( ENVMAP_TYPE_PMREM )\n  #if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )\n   iblIrradiance += getIBLIrradiance( geometryNormal );\n\
   #endif\n #endif\n#endif\n#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )\n #ifdef USE_ANISOTROPY\n  vec3 iblRadiance = getIBLAnisotropyRadiance( geomet\
@@ -2051,10 +2051,10 @@ yNormal, material.roughness );\n #endif\n #ifdef USE_RETROREFLECTION\n  #ifdef U
 wDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );\n  #else\n   vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, \
 geometryNormal, material.roughness );\n  #endif\n  iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );\n #endif\n radiance +\
 = iblRadiance;\n #ifdef USE_CLEARCOAT\n  clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );\n #endif\n#en\
-dif",Gv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
+dif",Wv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
 eometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endif\n#if defined( RE_IndirectSpecular )\n RE_IndirectSpe\
 cular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endi\
-f",Hv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
+f",Xv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
 obesMax[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];\nbool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 pro\
 besMin, vec3 probesMax, vec3 probesResolution ) {\n vec3 spacing = ( probesMax - probesMin ) / probesResolution;\n vec3 samplePos = worldPos + worldNormal * spaci\
 ng * 0.5;\n vec3 margin = spacing * 0.01;\n return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin )\
@@ -2070,56 +2070,56 @@ xy );\n vec3 c2 = vec3( s1.zw, s2.x );\n vec3 c3 = s2.yzw;\n vec3 c4 = s3.xyz;\n
 vec3 c8 = s6.xyz;\n float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;\n vec3 result = c0 * 0.886227;\n result += c1 * 2.0 * 0.511664 * y;\n result += c\
 2 * 2.0 * 0.511664 * z;\n result += c3 * 2.0 * 0.511664 * x;\n result += c4 * 2.0 * 0.429043 * x * y;\n result += c5 * 2.0 * 0.429043 * y * z;\n result += c6 * ( 0.\
 743125 * z * z - 0.247708 );\n result += c7 * 2.0 * 0.429043 * x * z;\n result += c8 * 0.429043 * ( x * x - y * y );\n return max( result, vec3( 0.0 ) );\n}\n#endif",
-Wv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Xv="\
-#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",$v="#ifdef USE_L\
-OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",qv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
-tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",Yv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
-#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Zv="#ifde\
-f USE_MAP\n uniform sampler2D map;\n#endif",Jv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
+$v="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",qv="\
+#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Yv="#ifdef USE_L\
+OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Zv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
+tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",Jv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
+#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Kv="#ifde\
+f USE_MAP\n uniform sampler2D map;\n#endif",jv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
 v = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;\n #endif\n#endif\n#ifdef USE_MAP\n diffuseColor *= texture2D( map, uv );\n#endif\n#ifdef U\
-SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Kv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
+SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Qv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
 ed( USE_ALPHAMAP )\n  uniform mat3 uvTransform;\n #endif\n#endif\n#ifdef USE_MAP\n uniform sampler2D map;\n#endif\n#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#en\
-dif",jv="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
-Metalness.b;\n#endif",Qv="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",eb="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
+dif",eb="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
+Metalness.b;\n#endif",tb="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",nb="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
 TARGETS_COUNT ];\n float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) \
-{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",tb="#if defined( USE_MORPHCOLORS )\n #if defined( U\
+{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",ib="#if defined( USE_MORPHCOLORS )\n #if defined( U\
 SE_COLOR_ALPHA )\n  vColor *= morphTargetBaseInfluence;\n #elif defined( USE_COLOR )\n  vColor.rgb *= morphTargetBaseInfluence;\n #endif\n for ( int i = 0; i < MORPH\
 TARGETS_COUNT; i ++ ) {\n  #if defined( USE_COLOR_ALPHA )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInflue\
 nces[ i ];\n  #elif defined( USE_COLOR )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ]\
-;\n  #endif\n }\n#endif",nb="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
-argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",ib="#ifdef USE_MORPHTARGETS\n #ifndef \
+;\n  #endif\n }\n#endif",sb="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
+argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",rb="#ifdef USE_MORPHTARGETS\n #ifndef \
 USE_INSTANCING_MORPH\n  uniform float morphTargetBaseInfluence;\n  uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];\n #endif\n uniform sampler2DArray morp\
 hTargetsTexture;\n uniform ivec2 morphTargetsTextureSize;\n vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {\n  int \
 texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;\n  int y = texelIndex / morphTargetsTextureSize.x;\n  int x = texelIndex - y * morphTargetsTextur\
-eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",sb="#ifdef USE_MORPHTARGETS\n \
+eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",ob="#ifdef USE_MORPHTARGETS\n \
 transformed *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( \
-gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",rb="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
+gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",ab="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
 vViewPosition );\n vec3 fdy = dFdy( vViewPosition );\n vec3 normal = normalize( cross( fdx, fdy ) );\n#else\n vec3 normal = normalize( vNormal );\n #ifdef DOUBLE_SID\
 ED\n  normal *= faceDirection;\n #endif\n#endif\n#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )\n #ifde\
 f USE_TANGENT\n  mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn = getTangentFrame( - vViewPosition, normal,\n  #if d\
 efined( USE_NORMALMAP )\n   vNormalMapUv\n  #elif defined( USE_CLEARCOAT_NORMALMAP )\n   vClearcoatNormalMapUv\n  #else\n   vUv\n  #endif\n  );\n #endif\n #ifdef DOUBLE_\
 SIDED\n  tbn[0] *= faceDirection;\n  tbn[1] *= faceDirection;\n #endif\n#endif\n#ifdef USE_CLEARCOAT_NORMALMAP\n #ifdef USE_TANGENT\n  mat3 tbn2 = mat3( normalize( vTa\
 ngent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );\n #endif\n #ifdef DOUBLE_SIDED\
-\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",ob="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
+\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",lb="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
 exture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\n #ifdef FLIP_SIDED\n  normal = - normal;\n #endif\n #ifdef DOUBLE_SIDED\n  normal = normal * faceDirection;\n #e\
 ndif\n normal = normalize( normalMatrix * normal );\n#elif defined( USE_NORMALMAP_TANGENTSPACE )\n vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0\
 ;\n #if defined( USE_PACKED_NORMALMAP )\n  mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );\n #endif\n mapN.xy *= normalScale;\n normal = n\
-ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",ab="#ifndef F\
-LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",lb="#ifndef FLAT_SHADED\n varying\
- vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",cb="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
+ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",cb="#ifndef F\
+LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",hb="#ifndef FLAT_SHADED\n varying\
+ vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",ub="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
 ormedNormal );\n #ifdef USE_TANGENT\n  vTangent = normalize( transformedTangent );\n  vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );\n  #ifdef FL\
-IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",hb="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
+IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",db="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
 def USE_NORMALMAP_OBJECTSPACE\n uniform mat3 normalMatrix;\n#endif\n#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEA\
 RCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )\n mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {\n  vec3 q0 = dFdx( eye_pos.xyz );\n  vec3 q1 = d\
 Fdy( eye_pos.xyz );\n  vec2 st0 = dFdx( uv.st );\n  vec2 st1 = dFdy( uv.st );\n  vec3 N = surf_norm;\n  vec3 q1perp = cross( q1, N );\n  vec3 q0perp = cross( N, q0 )\
 ;\n  vec3 T = q1perp * st0.x + q0perp * st1.x;\n  vec3 B = q1perp * st0.y + q0perp * st1.y;\n  float det = max( dot( T, T ), dot( B, B ) );\n  float scale = ( det =\
-= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",ub="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
-\n#endif",db="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
-clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",fb="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
+= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",fb="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
+\n#endif",pb="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
+clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",mb="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
  USE_CLEARCOAT_NORMALMAP\n uniform sampler2D clearcoatNormalMap;\n uniform vec2 clearcoatNormalScale;\n#endif\n#ifdef USE_CLEARCOAT_ROUGHNESSMAP\n uniform sampler2D \
-clearcoatRoughnessMap;\n#endif",pb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
-ridescenceThicknessMap;\n#endif",mb="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
-FragColor = vec4( outgoingLight, diffuseColor.a );",gb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
+clearcoatRoughnessMap;\n#endif",gb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
+ridescenceThicknessMap;\n#endif",_b="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
+FragColor = vec4( outgoingLight, diffuseColor.a );",xb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
 ToNormal( const in vec3 rgb ) {\n return 2.0 * rgb.xyz - 1.0;\n}\nconst float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float Shift\
 Right8 = 1. / 256.;\nconst float Inv255 = 1. / 255.;\nconst vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );\nconst vec2 UnpackFactors2\
  = vec2( UnpackDownscale, 1.0 / PackFactors.g );\nconst vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );\nconst vec4 UnpackFac\
@@ -2137,13 +2137,13 @@ ear - far );\n}\nfloat orthographicDepthToViewZ( const in float depth, const in 
 pth * ( far - near ) - far;\n #else\n  return depth * ( near - far ) - near;\n #endif\n}\nfloat viewZToPerspectiveDepth( const in float viewZ, const in float near, c\
 onst in float far ) {\n return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );\n}\nfloat perspectiveDepthToViewZ( const in float depth, const in float nea\
 r, const in float far ) {\n \n #ifdef USE_REVERSED_DEPTH_BUFFER\n  return ( near * far ) / ( ( near - far ) * depth - near );\n #else\n  return ( near * far ) / ( ( \
-far - near ) * depth - far );\n #endif\n}",_b="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",xb="vec4 mvPosition = vec4( transformed\
+far - near ) * depth - far );\n #endif\n}",yb="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",vb="vec4 mvPosition = vec4( transformed\
 , 1.0 );\n#ifdef USE_BATCHING\n mvPosition = batchingMatrix * mvPosition;\n#endif\n#ifdef USE_INSTANCING\n mvPosition = instanceMatrix * mvPosition;\n#endif\nmvPositio\
-n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",yb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
-vb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
+n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",bb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
+Mb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
 0, 0.25 / 255.0 );\n  dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );\n  return color + dither_shift_RGB;\n }\n#endif",
-bb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
-ness.g;\n#endif",Mb="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Sb="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
+Sb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
+ness.g;\n#endif",wb="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Tb="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
 T_LIGHT_COORDS ];\n#endif\n#if NUM_SPOT_LIGHT_MAPS > 0\n uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHAD\
 OWS > 0\n  #define SUN_LIGHT_CASCADES 2\n  #if defined( SHADOWMAP_TYPE_PCF )\n   uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #else\n   uniform \
 sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #endif\n  uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];\n  uniform vec4 sunShadow\
@@ -2207,7 +2207,7 @@ dowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 sh
 wSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {\n   float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpace\
 Z * ( shadowCameraFar - shadowCameraNear ) );\n   dp += shadowBias;\n   vec3 bd3D = normalize( lightToPosition );\n   float depth = textureCube( shadowMap, bd3D ).\
 r;\n   #ifdef USE_REVERSED_DEPTH_BUFFER\n    depth = 1.0 - depth;\n   #endif\n   shadow = step( dp, depth );\n  }\n  return mix( 1.0, shadow, shadowIntensity );\n }\n #\
-endif\n #endif\n#endif",wb="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
+endif\n #endif\n#endif",Ab="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
 COORDS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  varying vec4 vSunShadowWorldPosition;\n  varying vec3 vSunShadowWorldNormal;\n #endif\n #if \
 NUM_DIR_LIGHT_SHADOWS > 0\n  uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];\n  varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];\n  st\
 ruct DirectionalLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shadowMapSize;\n  };\n  uni\
@@ -2216,7 +2216,7 @@ Intensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRad
 OT_LIGHT_SHADOWS ];\n #endif\n #if NUM_POINT_LIGHT_SHADOWS > 0\n  uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];\n  varying vec4 vPointShadowCoord[ NUM_\
 POINT_LIGHT_SHADOWS ];\n  struct PointLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shad\
 owMapSize;\n   float shadowCameraNear;\n   float shadowCameraFar;\n  };\n  uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];\n #endif\n#endif",
-Tb="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
+Eb="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
  )\n #ifdef HAS_NORMAL\n  vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );\n #else\n  vec3 shadowWorldNormal = vec3( 0.\
 0 );\n #endif\n vec4 shadowWorldPosition;\n#endif\n#if defined( USE_SHADOWMAP )\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  vSunShadowWorldPosition = vec4( worldPosition.xyz, \
 - mvPosition.z );\n  vSunShadowWorldNormal = shadowWorldNormal;\n #endif\n #if NUM_DIR_LIGHT_SHADOWS > 0\n  #pragma unroll_loop_start\n  for ( int i = 0; i < NUM_DIR\
@@ -2226,7 +2226,7 @@ op_start\n  for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n   shadowWor
 owNormalBias, 0 );\n   vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if NUM_SPOT_LIGHT_COO\
 RDS > 0\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {\n  shadowWorldPosition = worldPosition;\n  #if ( defined( USE_SHADOWMAP )\
  && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )\n   shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;\n  #endif\n  vSpotLig\
-htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Ab="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
+htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Cb="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
 HADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n SunLightShadow sunLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {\n  sunLight = \
 sunLightShadows[ i ];\n  shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #\
 if NUM_DIR_LIGHT_SHADOWS > 0\n DirectionalLightShadow directionalLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {\n  direct\
@@ -2238,19 +2238,19 @@ ius, vSpotLightCoord[ i ] ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #if 
 _TYPE_BASIC ) )\n PointLightShadow pointLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n  pointLight = pointLightShadow\
 s[ i ];\n  shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight\
 .shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #endif\n return shad\
-ow;\n}",Eb="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
-inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Cb="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
+ow;\n}",Rb="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
+inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Pb="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
 m highp sampler2D boneTexture;\n mat4 getBoneMatrix( const in float i ) {\n  int size = textureSize( boneTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % siz\
 e;\n  int y = j / size;\n  vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFe\
-tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Rb="#ifde\
+tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Ib="#ifde\
 f USE_SKINNING\n vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );\n vec4 skinned = vec4( 0.0 );\n skinned += boneMatX * skinVertex * skinWeight.x;\n skinned\
  += boneMatY * skinVertex * skinWeight.y;\n skinned += boneMatZ * skinVertex * skinWeight.z;\n skinned += boneMatW * skinVertex * skinWeight.w;\n transformed = ( b\
-indMatrixInverse * skinned ).xyz;\n#endif",Pb="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
+indMatrixInverse * skinned ).xyz;\n#endif",Lb="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
 ight.y * boneMatY;\n skinMatrix += skinWeight.z * boneMatZ;\n skinMatrix += skinWeight.w * boneMatW;\n skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;\n o\
 bjectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;\n #ifdef USE_TANGENT\n  objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;\n #e\
-ndif\n#endif",Ib="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
-ar.r;\n#else\n specularStrength = 1.0;\n#endif",Lb="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Nb="#if defined( TONE_MAPPING )\n gl_FragCol\
-or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Db="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
+ndif\n#endif",Nb="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
+ar.r;\n#else\n specularStrength = 1.0;\n#endif",Db="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Ub="#if defined( TONE_MAPPING )\n gl_FragCol\
+or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Fb="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
 3 LinearToneMapping( vec3 color ) {\n return saturate( toneMappingExposure * color );\n}\nvec3 ReinhardToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n \
 return saturate( color / ( vec3( 1.0 ) + color ) );\n}\nvec3 CineonToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n color = max( vec3( 0.0 ), color - 0\
 .004 );\n return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );\n}\nvec3 RRTAndODTFit( vec3 v ) {\n vec3 a = v * \
@@ -2272,13 +2272,13 @@ ralToneMapping( vec3 color ) {\n const float StartCompression = 0.8 - 0.04;\n co
 r.r, min( color.g, color.b ) );\n float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;\n color -= offset;\n float peak = max( color.r, max( color.g, color.b ) );\n if\
  ( peak < StartCompression ) return color;\n float d = 1. - StartCompression;\n float newPeak = 1. - d * d / ( peak + d - StartCompression );\n color *= newPeak / \
 peak;\n float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );\n return mix( color, vec3( newPeak ), g );\n}\nvec3 CustomToneMapping( vec3 color ) { return\
- color; }",Ub="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
+ color; }",Ob="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
 nuationDistance = attenuationDistance;\n material.attenuationColor = attenuationColor;\n #ifdef USE_TRANSMISSIONMAP\n  material.transmission *= texture2D( transmis\
 sionMap, vTransmissionMapUv ).r;\n #endif\n #ifdef USE_THICKNESSMAP\n  material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;\n #endif\n vec3 pos = vWor\
 ldPosition;\n vec3 v = normalize( cameraPosition - pos );\n vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );\n vec4 transmitted = getIBLVolumeRef\
 raction(\n  n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,\n  pos, modelMatrix, viewMatrix, projecti\
 onMatrix, material.dispersion, material.ior, material.thickness,\n  material.attenuationColor, material.attenuationDistance );\n material.transmissionAlpha = mix(\
- material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Fb="\
+ material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Bb="\
 #ifdef USE_TRANSMISSION\n uniform float transmission;\n uniform float thickness;\n uniform float attenuationDistance;\n uniform vec3 attenuationColor;\n #ifdef USE_T\
 RANSMISSIONMAP\n  uniform sampler2D transmissionMap;\n #endif\n #ifdef USE_THICKNESSMAP\n  uniform sampler2D thicknessMap;\n #endif\n uniform vec2 transmissionSampler\
 Size;\n uniform sampler2D transmissionSamplerMap;\n uniform mat4 modelMatrix;\n uniform mat4 projectionMatrix;\n varying vec3 vWorldPosition;\n float w0( float a ) {\
@@ -2315,7 +2315,7 @@ Ray;\n   vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );\
 efractionCoords /= 2.0;\n   transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );\n   transmittance = diffuseColor * volumeAttenuation( le\
 ngth( transmissionRay ), attenuationColor, attenuationDistance );\n  #endif\n  vec3 attenuatedColor = transmittance * transmittedLight.rgb;\n  vec3 F = Environment\
 BRDF( n, v, specularColor, specularF90, roughness );\n  float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;\n  return vec4(\
- ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",Ob="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
+ ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",kb="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
  varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAMAP\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n varying vec2 vL\
 ightMapUv;\n#endif\n#ifdef USE_AOMAP\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n varying vec2 vBumpMapUv;\n#endif\n#ifdef USE_NORMALMAP\n varying vec2 vNormal\
 MapUv;\n#endif\n#ifdef USE_EMISSIVEMAP\n varying vec2 vEmissiveMapUv;\n#endif\n#ifdef USE_METALNESSMAP\n varying vec2 vMetalnessMapUv;\n#endif\n#ifdef USE_ROUGHNESSMAP\n\
@@ -2325,7 +2325,7 @@ ef USE_CLEARCOAT_ROUGHNESSMAP\n varying vec2 vClearcoatRoughnessMapUv;\n#endif\n
 CENCE_THICKNESSMAP\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SHEEN_COLORMAP\n varying vec2 vSheenColorMapUv;\n#endif\n#ifdef USE_SHEEN_ROUGHNESSM\
 AP\n varying vec2 vSheenRoughnessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n varying vec2 vSpecularMapUv;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n varying vec2 vSpecularCo\
 lorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransfor\
-m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Bb="#if de\
+m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",zb="#if de\
 fined( USE_UV ) || defined( USE_ANISOTROPY )\n varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n uniform mat3 mapTransform;\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAM\
 AP\n uniform mat3 alphaMapTransform;\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n uniform mat3 lightMapTransform;\n varying vec2 vLightMapUv;\n#endif\n#if\
 def USE_AOMAP\n uniform mat3 aoMapTransform;\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n uniform mat3 bumpMapTransform;\n varying vec2 vBumpMapUv;\n#endif\n#\
@@ -2341,7 +2341,7 @@ ef USE_IRIDESCENCEMAP\n uniform mat3 iridescenceMapTransform;\n varying vec2 vIr
 ceThicknessMapTransform;\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n uniform mat3 specularMapTransform;\n varying vec2 vSpecularMapU\
 v;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n uniform mat3 specularColorMapTransform;\n varying vec2 vSpecularColorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n unif\
 orm mat3 specularIntensityMapTransform;\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransform;\n varyin\
-g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",kb="#if defined( USE_\
+g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Vb="#if defined( USE_\
 UV ) || defined( USE_ANISOTROPY )\n vUv = vec3( uv, 1 ).xy;\n#endif\n#ifdef USE_MAP\n vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_ALPHAMAP\n \
 vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_LIGHTMAP\n vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;\n#e\
 ndif\n#ifdef USE_AOMAP\n vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_BUMPMAP\n vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 \
@@ -2359,27 +2359,27 @@ EN_ROUGHNESSMAP\n vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SH
 specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_C\
 OLORMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) )\
 .xy;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_THICKNESSMAP\n vT\
-hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",zb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
+hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",Gb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
 MAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0\n vec4 worldPosition = vec4( transformed, 1.0 );\n #ifdef USE_BATCHING\n  worldPosition = batchi\
 ngMatrix * worldPosition;\n #endif\n #ifdef USE_INSTANCING\n  worldPosition = instanceMatrix * worldPosition;\n #endif\n worldPosition = modelMatrix * worldPosition;\
-\n#endif",Vb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
-\n}",Gb="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
+\n#endif",Hb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
+\n}",Wb="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
 TEXTURE\n  texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texCol\
 or.rgb, vec3( 0.04045 ) ) ) ), texColor.w );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include \
-<colorspace_fragment>\n}",Hb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
-clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Wb="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
+<colorspace_fragment>\n}",Xb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
+clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",$b="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
 \nuniform mat3 backgroundRotation;\nvarying vec3 vWorldDirection;\n#include <envmap_common_pars_fragment>\nvoid main() {\n #ifdef ENVMAP_TYPE_PMREM\n  vec4 texColor =\
  textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );\n #else\n  vec4 texColor = textureCube( envMap, backgroundRot\
 ation * vWorldDirection );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include <colorspace_fragme\
-nt>\n}",Xb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
-x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",$b="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
+nt>\n}",qb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
+x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Yb="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
 ldDirection;\nvoid main() {\n vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );\n gl_FragColor = texColor;\n gl_FragColor\
-.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",qb="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
+.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",Zb="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
 rtex>\n#include <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <cli\
 pping_planes_pars_vertex>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n #include <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <\
 morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
-f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",Yb="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
+f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",Jb="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
 mmon>\n#include <packing>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include \
 <alphahash_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n vec4 diffu\
 seColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #if DEPTH_PACKING == 3200\n  diffuseColor.a = opacity;\n #endif\n #include <map_fragment>\n #include <a\
@@ -2387,34 +2387,34 @@ lphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment
 oordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];\n #else\n  float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;\n #endif\n #if DEPTH\
 _PACKING == 3200\n  gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );\n #elif DEPTH_PACKING == 3201\n  gl_FragColor = packDepthToRGBA( fragCoordZ );\n #elif\
  DEPTH_PACKING == 3202\n  gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );\n #elif DEPTH_PACKING == 3203\n  gl_FragColor = vec4( packDepthToRG( fragCoordZ\
- ), 0.0, 1.0 );\n #endif\n}",Zb="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
+ ), 0.0, 1.0 );\n #endif\n}",Kb="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
 ude <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #incl\
 ude <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_ver\
 tex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n\
  #include <displacementmap_vertex>\n #include <project_vertex>\n #include <worldpos_vertex>\n #include <clipping_planes_vertex>\n vWorldPosition = worldPosition.xyz\
-;\n}",Jb="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
+;\n}",jb="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
 \n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment\
 >\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #include <map_fragment>\n #inclu\
 de <alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n float dist = length( vWorldPosition - referencePosition );\n dist = ( dist \
-- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",Kb="varying vec3 vWorldDirection\
-;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",jb="\
+- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",Qb="varying vec3 vWorldDirection\
+;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",eM="\
 uniform sampler2D tEquirect;\nvarying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vec3 direction = normalize( vWorldDirection );\n vec2 sampleUV = equi\
-rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",Qb="uniform float\
+rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",tM="uniform float\
  scale;\nattribute float lineDistance;\nvarying float vLineDistance;\n#include <common>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_v\
 ertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n vLineDistance = scale * lineD\
 istance;\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morph\
-target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",eM="uniform vec3 diff\
+target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",nM="uniform vec3 diff\
 use;\nuniform float opacity;\nuniform float dashSize;\nuniform float totalSize;\nvarying float vLineDistance;\n#include <common>\n#include <color_pars_fragment>\n#incl\
 ude <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nv\
 oid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n if ( mod( vLineDistance, totalSize ) > dashSize ) {\n  discard;\
 \n }\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n outgoingLight = diffuseColor.rgb;\n \
 #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-tM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
+iM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
 rtex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\
 \n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #if defined ( USE_EN\
 VMAP ) || defined ( USE_SKINNING )\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinbase_vertex>\n  #include <skinnormal_vertex>\n \
  #include <defaultnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #includ\
-e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",nM="uniform vec3 \
+e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",sM="uniform vec3 \
 diffuse;\nuniform float opacity;\n#ifndef FLAT_SHADED\n varying vec3 vNormal;\n#endif\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_frag\
 ment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fra\
 gment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <fog_par\
@@ -2425,14 +2425,14 @@ ht( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );\n #ifdef USE_LIGHTMAP\
 ectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;\n #else\n  reflectedLight.indirectDiffuse += vec3( 1.0 );\n #endif\n #include <aomap_fragment>\n\
  reflectedLight.indirectDiffuse *= diffuseColor.rgb;\n vec3 outgoingLight = reflectedLight.indirectDiffuse;\n #include <envmap_fragment>\n #include <opaque_fragmen\
 t>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragm\
-ent>\n}",iM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
+ent>\n}",rM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
 ars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <morphtarget_pars_verte\
 x>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #in\
 clude <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_ver\
 tex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
 f_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",sM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
+x>\n #include <fog_vertex>\n}",oM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
 s_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_f\
 ragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envm\
 ap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights\
@@ -2444,13 +2444,13 @@ alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragmen
 ormal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_lambert_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_maps>\n #i\
 nclude <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadia\
 nce;\n #include <envmap_fragment>\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include\
- <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",rM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
+ <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",aM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
 tex>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#inc\
 lude <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include\
  <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n\
  #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <b\
 egin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_ver\
-tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",oM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
+tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",lM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
 opacity;\nuniform sampler2D matcap;\nvarying vec3 vViewPosition;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_\
 pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fo\
 g_pars_fragment>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#inclu\
@@ -2460,25 +2460,25 @@ ment>\n #include <map_fragment>\n #include <color_fragment>\n #include <alphamap
 \n vec3 y = cross( viewDir, x );\n vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;\n #ifdef USE_MATCAP\n  vec4 matcapColor = texture2D( matcap, \
 uv );\n #else\n  vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );\n #endif\n vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;\n #include <opaqu\
 e_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dither\
-ing_fragment>\n}",aM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
+ing_fragment>\n}",cM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
 #endif\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <normal_pars_vertex>\n#include\
  <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv\
 _vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n\
  #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skin\
 ning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n#if defined( FLAT_S\
-HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",lM="#define NORMAL\nuniform float opac\
+HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",hM="#define NORMAL\nuniform float opac\
 ity;\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n#endif\n#include <uv_pars_fragmen\
 t>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_p\
 lanes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );\n #include <clipping_planes_fragment>\n #include <logdepthbuf_fragment>\n #\
 include <normal_fragment_begin>\n #include <normal_fragment_maps>\n gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );\n #ifdef OPAQUE\n  gl_Fr\
-agColor.a = 1.0;\n #endif\n}",cM="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
+agColor.a = 1.0;\n #endif\n}",uM="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
  <displacementmap_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <mor\
 phtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\
 \nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include\
  <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <nor\
 mal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #\
 include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #inclu\
-de <shadowmap_vertex>\n #include <fog_vertex>\n}",hM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
+de <shadowmap_vertex>\n #include <fog_vertex>\n}",dM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
 \nuniform float opacity;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragm\
 ent>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_p\
 ars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragmen\
@@ -2491,14 +2491,14 @@ larmap_fragment>\n #include <normal_fragment_begin>\n #include <normal_fragment_
  <lights_fragment_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.direct\
 Diffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;\n #include <envmap_fragment>\n\
  #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n \
-#include <dithering_fragment>\n}",uM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
+#include <dithering_fragment>\n}",fM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
 >\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#incl\
 ude <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n\
 #include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_verte\
 x>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include\
  <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap\
 _vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_ver\
-tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",dM="#define STANDARD\n#ifde\
+tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",pM="#define STANDARD\n#ifde\
 f PHYSICAL\n #define IOR\n #define USE_SPECULAR\n#endif\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float roughness;\nuniform float metalness;\nuniform floa\
 t opacity;\n#ifdef IOR\n uniform float ior;\n#endif\n#ifdef USE_SPECULAR\n uniform float specularIntensity;\n uniform vec3 specularColor;\n #ifdef USE_SPECULAR_COLORMA\
 P\n  uniform sampler2D specularColorMap;\n #endif\n #ifdef USE_SPECULAR_INTENSITYMAP\n  uniform sampler2D specularIntensityMap;\n #endif\n#endif\n#ifdef USE_CLEARCOAT\n\
@@ -2524,14 +2524,14 @@ cal_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_map
 SpecularDirect + sheenSpecularIndirect;\n \n  #endif\n #ifdef USE_CLEARCOAT\n  float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );\n  vec3 F\
 cc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );\n  outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecul\
 arDirect + clearcoatSpecularIndirect ) * material.clearcoat;\n #endif\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment\
->\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",fM="#define TOON\nvarying vec3 vViewPosition;\n#include \
+>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",mM="#define TOON\nvarying vec3 vViewPosition;\n#include \
 <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex\
 >\n#include <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_v\
 ertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolo\
 r_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #\
 include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displace\
 mentmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <world\
-pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",pM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
+pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",gM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
 ude <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_\
 fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emiss\
 ivemap_pars_fragment>\n#include <gradientmap_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_pars_begin>\n#include <normal_pars_frag\
@@ -2542,54 +2542,54 @@ epthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n #inclu
 >\n #include <normal_fragment_begin>\n #include <normal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_toon_fragment>\n #include <lights_fragmen\
 t_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflec\
 tedLight.indirectDiffuse + totalEmissiveRadiance;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fr\
-agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",mM="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
+agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",_M="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
 olor_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\n#ifdef\
  USE_POINTS_UV\n varying vec2 vUv;\n uniform mat3 uvTransform;\n#endif\nvoid main() {\n #ifdef USE_POINTS_UV\n  vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n #endif\n #in\
 clude <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <project_v\
 ertex>\n gl_PointSize = size;\n #ifdef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( projectionMatrix );\n  if ( isPerspective ) gl_PointSize *= \
 ( scale / - mvPosition.z );\n #endif\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <fog_vertex>\n}",
-gM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
+xM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
 _fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid ma\
 in() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n \
 #include <map_particle_fragment>\n #include <color_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #i\
 nclude <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-_M="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
+yM="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
 gdepthbuf_pars_vertex>\n#include <shadowmap_pars_vertex>\nvoid main() {\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex\
 >\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <begin_vertex>\n #include <\
 morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <worldpos_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",xM="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
+x>\n #include <fog_vertex>\n}",vM="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
 ars_begin>\n#include <logdepthbuf_pars_fragment>\n#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>\nvoid main() {\n #include <logdepthbuf_frag\
 ment>\n gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragme\
-nt>\n #include <premultiplied_alpha_fragment>\n}",yM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
+nt>\n #include <premultiplied_alpha_fragment>\n}",bM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
 s_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n vec4 mvPosition = modelViewMatrix[ 3 ];\
 \n vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );\n #ifndef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( \
 projectionMatrix );\n  if ( isPerspective ) scale *= - mvPosition.z;\n #endif\n vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;\n vec2 ro\
 tatedPosition;\n rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;\n rotatedPosition.y = sin( rotation ) * alignedPos\
 ition.x + cos( rotation ) * alignedPosition.y;\n mvPosition.xy += rotatedPosition;\n gl_Position = projectionMatrix * mvPosition;\n #include <logdepthbuf_vertex>\n \
-#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",vM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
+#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",MM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
 clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#\
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Gy,alphahash_pars_fragment:Hy,alphamap_fragment:Wy,alphamap_pars_fragment:Xy,alphatest_fragment:$y,
-alphatest_pars_fragment:qy,aomap_fragment:Yy,aomap_pars_fragment:Zy,batching_pars_vertex:Jy,batching_vertex:Ky,begin_vertex:jy,beginnormal_vertex:Qy,bsdfs:ev,iridescence_fragment:tv,
-bumpmap_pars_fragment:nv,clipping_planes_fragment:iv,clipping_planes_pars_fragment:sv,clipping_planes_pars_vertex:rv,clipping_planes_vertex:ov,color_fragment:av,
-color_pars_fragment:lv,color_pars_vertex:cv,color_vertex:hv,common:uv,defaultnormal_vertex:dv,displacementmap_pars_vertex:fv,displacementmap_vertex:pv,emissivemap_fragment:mv,
-emissivemap_pars_fragment:gv,colorspace_fragment:_v,colorspace_pars_fragment:xv,envmap_fragment:yv,envmap_common_pars_fragment:vv,envmap_pars_fragment:bv,envmap_pars_vertex:Mv,
-envmap_physical_pars_fragment:Nv,envmap_vertex:Sv,fog_vertex:wv,fog_pars_vertex:Tv,fog_fragment:Av,fog_pars_fragment:Ev,gradientmap_pars_fragment:Cv,lightmap_pars_fragment:Rv,
-lights_lambert_fragment:Pv,lights_lambert_pars_fragment:Iv,lights_pars_begin:Lv,lights_toon_fragment:Dv,lights_toon_pars_fragment:Uv,lights_phong_fragment:Fv,lights_phong_pars_fragment:Ov,
-lights_physical_fragment:Bv,lights_physical_pars_fragment:kv,lights_fragment_begin:zv,lights_fragment_maps:Vv,lights_fragment_end:Gv,lightprobes_pars_fragment:Hv,
-logdepthbuf_fragment:Wv,logdepthbuf_pars_fragment:Xv,logdepthbuf_pars_vertex:$v,logdepthbuf_vertex:qv,map_fragment:Yv,map_pars_fragment:Zv,map_particle_fragment:Jv,
-map_particle_pars_fragment:Kv,metalnessmap_fragment:jv,metalnessmap_pars_fragment:Qv,morphinstance_vertex:eb,morphcolor_vertex:tb,morphnormal_vertex:nb,morphtarget_pars_vertex:ib,
-morphtarget_vertex:sb,normal_fragment_begin:rb,normal_fragment_maps:ob,normal_pars_fragment:ab,normal_pars_vertex:lb,normal_vertex:cb,normalmap_pars_fragment:hb,
-clearcoat_normal_fragment_begin:ub,clearcoat_normal_fragment_maps:db,clearcoat_pars_fragment:fb,iridescence_pars_fragment:pb,opaque_fragment:mb,packing:gb,premultiplied_alpha_fragment:_b,
-project_vertex:xb,dithering_fragment:yb,dithering_pars_fragment:vb,roughnessmap_fragment:bb,roughnessmap_pars_fragment:Mb,shadowmap_pars_fragment:Sb,shadowmap_pars_vertex:wb,
-shadowmap_vertex:Tb,shadowmask_pars_fragment:Ab,skinbase_vertex:Eb,skinning_pars_vertex:Cb,skinning_vertex:Rb,skinnormal_vertex:Pb,specularmap_fragment:Ib,specularmap_pars_fragment:Lb,
-tonemapping_fragment:Nb,tonemapping_pars_fragment:Db,transmission_fragment:Ub,transmission_pars_fragment:Fb,uv_pars_fragment:Ob,uv_pars_vertex:Bb,uv_vertex:kb,worldpos_vertex:zb,
-background_vert:Vb,background_frag:Gb,backgroundCube_vert:Hb,backgroundCube_frag:Wb,cube_vert:Xb,cube_frag:$b,depth_vert:qb,depth_frag:Yb,distance_vert:Zb,distance_frag:Jb,
-equirect_vert:Kb,equirect_frag:jb,linedashed_vert:Qb,linedashed_frag:eM,meshbasic_vert:tM,meshbasic_frag:nM,meshlambert_vert:iM,meshlambert_frag:sM,meshmatcap_vert:rM,
-meshmatcap_frag:oM,meshnormal_vert:aM,meshnormal_frag:lM,meshphong_vert:cM,meshphong_frag:hM,meshphysical_vert:uM,meshphysical_frag:dM,meshtoon_vert:fM,meshtoon_frag:pM,
-points_vert:mM,points_frag:gM,shadow_vert:_M,shadow_frag:xM,sprite_vert:yM,sprite_frag:vM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
+agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Wy,alphahash_pars_fragment:Xy,alphamap_fragment:$y,alphamap_pars_fragment:qy,alphatest_fragment:Yy,
+alphatest_pars_fragment:Zy,aomap_fragment:Jy,aomap_pars_fragment:Ky,batching_pars_vertex:jy,batching_vertex:Qy,begin_vertex:ev,beginnormal_vertex:tv,bsdfs:nv,iridescence_fragment:iv,
+bumpmap_pars_fragment:sv,clipping_planes_fragment:rv,clipping_planes_pars_fragment:ov,clipping_planes_pars_vertex:av,clipping_planes_vertex:lv,color_fragment:cv,
+color_pars_fragment:hv,color_pars_vertex:uv,color_vertex:dv,common:fv,defaultnormal_vertex:pv,displacementmap_pars_vertex:mv,displacementmap_vertex:gv,emissivemap_fragment:_v,
+emissivemap_pars_fragment:xv,colorspace_fragment:yv,colorspace_pars_fragment:vv,envmap_fragment:bv,envmap_common_pars_fragment:Mv,envmap_pars_fragment:Sv,envmap_pars_vertex:wv,
+envmap_physical_pars_fragment:Uv,envmap_vertex:Tv,fog_vertex:Av,fog_pars_vertex:Ev,fog_fragment:Cv,fog_pars_fragment:Rv,gradientmap_pars_fragment:Pv,lightmap_pars_fragment:Iv,
+lights_lambert_fragment:Lv,lights_lambert_pars_fragment:Nv,lights_pars_begin:Dv,lights_toon_fragment:Fv,lights_toon_pars_fragment:Ov,lights_phong_fragment:Bv,lights_phong_pars_fragment:kv,
+lights_physical_fragment:zv,lights_physical_pars_fragment:Vv,lights_fragment_begin:Gv,lights_fragment_maps:Hv,lights_fragment_end:Wv,lightprobes_pars_fragment:Xv,
+logdepthbuf_fragment:$v,logdepthbuf_pars_fragment:qv,logdepthbuf_pars_vertex:Yv,logdepthbuf_vertex:Zv,map_fragment:Jv,map_pars_fragment:Kv,map_particle_fragment:jv,
+map_particle_pars_fragment:Qv,metalnessmap_fragment:eb,metalnessmap_pars_fragment:tb,morphinstance_vertex:nb,morphcolor_vertex:ib,morphnormal_vertex:sb,morphtarget_pars_vertex:rb,
+morphtarget_vertex:ob,normal_fragment_begin:ab,normal_fragment_maps:lb,normal_pars_fragment:cb,normal_pars_vertex:hb,normal_vertex:ub,normalmap_pars_fragment:db,
+clearcoat_normal_fragment_begin:fb,clearcoat_normal_fragment_maps:pb,clearcoat_pars_fragment:mb,iridescence_pars_fragment:gb,opaque_fragment:_b,packing:xb,premultiplied_alpha_fragment:yb,
+project_vertex:vb,dithering_fragment:bb,dithering_pars_fragment:Mb,roughnessmap_fragment:Sb,roughnessmap_pars_fragment:wb,shadowmap_pars_fragment:Tb,shadowmap_pars_vertex:Ab,
+shadowmap_vertex:Eb,shadowmask_pars_fragment:Cb,skinbase_vertex:Rb,skinning_pars_vertex:Pb,skinning_vertex:Ib,skinnormal_vertex:Lb,specularmap_fragment:Nb,specularmap_pars_fragment:Db,
+tonemapping_fragment:Ub,tonemapping_pars_fragment:Fb,transmission_fragment:Ob,transmission_pars_fragment:Bb,uv_pars_fragment:kb,uv_pars_vertex:zb,uv_vertex:Vb,worldpos_vertex:Gb,
+background_vert:Hb,background_frag:Wb,backgroundCube_vert:Xb,backgroundCube_frag:$b,cube_vert:qb,cube_frag:Yb,depth_vert:Zb,depth_frag:Jb,distance_vert:Kb,distance_frag:jb,
+equirect_vert:Qb,equirect_frag:eM,linedashed_vert:tM,linedashed_frag:nM,meshbasic_vert:iM,meshbasic_frag:sM,meshlambert_vert:rM,meshlambert_frag:oM,meshmatcap_vert:aM,
+meshmatcap_frag:lM,meshnormal_vert:cM,meshnormal_frag:hM,meshphong_vert:uM,meshphong_frag:dM,meshphysical_vert:fM,meshphysical_frag:pM,meshtoon_vert:mM,meshtoon_frag:gM,
+points_vert:_M,points_frag:xM,shadow_vert:yM,shadow_frag:vM,sprite_vert:bM,sprite_frag:MM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2608,25 +2608,25 @@ properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],p
 probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new rt(16777215)},opacity:{value:1},size:{value:1},
 scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0},uvTransform:{value:new Qe}},sprite:{diffuse:{value:new rt(
 16777215)},opacity:{value:1},center:{value:new st(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{
-value:new Qe},alphaTest:{value:0}}},Hi={basic:{uniforms:Cn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.fog]),vertexShader:ht.meshbasic_vert,fragmentShader:ht.
-meshbasic_frag},lambert:{uniforms:Cn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.
-lights,{emissive:{value:new rt(0)},envMapIntensity:{value:1}}]),vertexShader:ht.meshlambert_vert,fragmentShader:ht.meshlambert_frag},phong:{uniforms:Cn([Le.common,
+value:new Qe},alphaTest:{value:0}}},Hi={basic:{uniforms:Rn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.fog]),vertexShader:ht.meshbasic_vert,fragmentShader:ht.
+meshbasic_frag},lambert:{uniforms:Rn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.
+lights,{emissive:{value:new rt(0)},envMapIntensity:{value:1}}]),vertexShader:ht.meshlambert_vert,fragmentShader:ht.meshlambert_frag},phong:{uniforms:Rn([Le.common,
 Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},specular:{value:new rt(
-1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ht.meshphong_vert,fragmentShader:ht.meshphong_frag},standard:{uniforms:Cn([Le.common,Le.
+1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ht.meshphong_vert,fragmentShader:ht.meshphong_frag},standard:{uniforms:Rn([Le.common,Le.
 envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.roughnessmap,Le.metalnessmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},
-roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag},toon:{uniforms:Cn([Le.
+roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag},toon:{uniforms:Rn([Le.
 common,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.gradientmap,Le.fog,Le.lights,{emissive:{value:new rt(0)}}]),vertexShader:ht.
-meshtoon_vert,fragmentShader:ht.meshtoon_frag},matcap:{uniforms:Cn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,{matcap:{value:null}}]),vertexShader:ht.
-meshmatcap_vert,fragmentShader:ht.meshmatcap_frag},points:{uniforms:Cn([Le.points,Le.fog]),vertexShader:ht.points_vert,fragmentShader:ht.points_frag},dashed:{uniforms:Cn(
-[Le.common,Le.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ht.linedashed_vert,fragmentShader:ht.linedashed_frag},depth:{uniforms:Cn(
-[Le.common,Le.displacementmap]),vertexShader:ht.depth_vert,fragmentShader:ht.depth_frag},normal:{uniforms:Cn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,
-{opacity:{value:1}}]),vertexShader:ht.meshnormal_vert,fragmentShader:ht.meshnormal_frag},sprite:{uniforms:Cn([Le.sprite,Le.fog]),vertexShader:ht.sprite_vert,fragmentShader:ht.
+meshtoon_vert,fragmentShader:ht.meshtoon_frag},matcap:{uniforms:Rn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,{matcap:{value:null}}]),vertexShader:ht.
+meshmatcap_vert,fragmentShader:ht.meshmatcap_frag},points:{uniforms:Rn([Le.points,Le.fog]),vertexShader:ht.points_vert,fragmentShader:ht.points_frag},dashed:{uniforms:Rn(
+[Le.common,Le.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ht.linedashed_vert,fragmentShader:ht.linedashed_frag},depth:{uniforms:Rn(
+[Le.common,Le.displacementmap]),vertexShader:ht.depth_vert,fragmentShader:ht.depth_frag},normal:{uniforms:Rn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,
+{opacity:{value:1}}]),vertexShader:ht.meshnormal_vert,fragmentShader:ht.meshnormal_frag},sprite:{uniforms:Rn([Le.sprite,Le.fog]),vertexShader:ht.sprite_vert,fragmentShader:ht.
 sprite_frag},background:{uniforms:{uvTransform:{value:new Qe},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:ht.background_vert,fragmentShader:ht.
 background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new Qe}},vertexShader:ht.
 backgroundCube_vert,fragmentShader:ht.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ht.cube_vert,fragmentShader:ht.
-cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ht.equirect_vert,fragmentShader:ht.equirect_frag},distance:{uniforms:Cn([Le.common,Le.displacementmap,
-{referencePosition:{value:new V},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ht.distance_vert,fragmentShader:ht.distance_frag},shadow:{uniforms:Cn(
-[Le.lights,Le.fog,{color:{value:new rt(0)},opacity:{value:1}}]),vertexShader:ht.shadow_vert,fragmentShader:ht.shadow_frag}};Hi.physical={uniforms:Cn([Hi.standard.
+cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ht.equirect_vert,fragmentShader:ht.equirect_frag},distance:{uniforms:Rn([Le.common,Le.displacementmap,
+{referencePosition:{value:new V},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ht.distance_vert,fragmentShader:ht.distance_frag},shadow:{uniforms:Rn(
+[Le.lights,Le.fog,{color:{value:new rt(0)},opacity:{value:1}}]),vertexShader:ht.shadow_vert,fragmentShader:ht.shadow_frag}};Hi.physical={uniforms:Rn([Hi.standard.
 uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new Qe},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new Qe},
 clearcoatNormalScale:{value:new st(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new Qe},diffuseRoughness:{
 value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new Qe},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{
@@ -2636,26 +2636,26 @@ sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransfo
 value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
 attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var Vc={r:0,b:0,g:0},bM=new xt,Eg=new Qe;Eg.set(
--1,0,0,0,1,0,0,0,1);function MM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
-let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?m(o,a):b&&b.isColor&&(m(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var Gc={r:0,b:0,g:0},SM=new xt,Cg=new Qe;Cg.set(
+-1,0,0,0,1,0,0,0,1);function wM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
+let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?g(o,a):b&&b.isColor&&(g(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,w){let b=f(w);b&&b.isCubeTexture?(c===
 void 0&&(c=new hi(new Is(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:rr(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
-backgroundCube.fragmentShader,side:Bn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
+backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,S,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(bM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
-!1&&c.material.uniforms.backgroundRotation.value.premultiply(Eg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
+value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(SM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
+!1&&c.material.uniforms.backgroundRotation.value.premultiply(Cg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new hi(
 new ta(2,2),new ki({name:"BackgroundMaterial",uniforms:rr(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
 side:Fs,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
 uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,w){x.getRGB(Vc,td(i)),
-t.buffers.color.setClear(Vc.r,Vc.g,Vc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
-a=x,m(o,a)},render:p,addToRenderList:y,dispose:g}}function SM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function g(x,w){x.getRGB(Gc,nd(i)),
+t.buffers.color.setClear(Gc.r,Gc.g,Gc.b,w,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
+a=x,g(o,a)},render:p,addToRenderList:y,dispose:m}}function TM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
 W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
@@ -2665,29 +2665,29 @@ Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){le
 instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
 W||r.index!==D}function p(I,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
 eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function m(I){g(I,0)}function g(I,F){
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function g(I){m(I,0)}function m(I,F){
 let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),G[I]!==F&&(i.vertexAttribDivisor(I,F),G[I]=
 F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function w(I,F,z,D,G,Y,W){
 W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
 for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
 instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
-Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===ic;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
-if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
-!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
+Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===sc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
+if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
+!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
 ee);for(let Ve=0;Ve<K.locationSize;Ve++)w(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
-K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let Me=0;Me<K.locationSize;Me++)m(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
+K.locationSize;Me++)m(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let Me=0;Me<K.locationSize;Me++)g(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
 de*xe,de/K.locationSize*Me*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
-K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){P();for(let I in n){let F=n[I];for(let z in F){
+K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){R();for(let I in n){let F=n[I];for(let z in F){
 let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function S(I){if(n[I.id]===void 0)return;let F=n[I.id];
 for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I.id]}function _(I){for(let F in n){let z=n[F];
 for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
-z).length===0&&delete n[F]}}}function P(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:P,resetDefaultState:R,
-dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:m,disableUnusedAttributes:x}}function wM(i,e,t){
+z).length===0&&delete n[F]}}}function R(){P(),o=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:R,resetDefaultState:P,
+dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:g,disableUnusedAttributes:x}}function AM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
-renderInstances=o,this.renderMultiDraw=a}function TM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
+renderInstances=o,this.renderMultiDraw=a}function EM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
 get("EXT_texture_filter_anisotropic");s=i.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==wi&&n.convert(_)!==i.getParameter(
 i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let M=_===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==Hn&&_!==ui&&
 !M&&n.convert(_)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
@@ -2696,18 +2696,18 @@ i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDI
 ighp",d=l(c);d!==c&&(qe("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
-getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-g=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),g=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
+m=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),S=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:x,
-maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function AM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:x,
+maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function CM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,y=u.clipIntersection,
-m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let x=r?0:n,w=x*4,b=g.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
-w;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,m=null;if(y!==0){if(m=l.value,p!==!0||m===null){let g=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
-x),(m===null||m.length<g)&&(m=new Float32Array(g));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=
-m,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,m}}var wa=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+g=u.clipShadows,m=i.get(u);if(!s||p===null||p.length===0||r&&!g)r?d(null):c();else{let x=r?0:n,w=x*4,b=m.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
+w;++C)b[C]=t[C];m.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,g=null;if(y!==0){if(g=l.value,p!==!0||g===null){let m=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
+x),(g===null||g.length<m)&&(g=new Float32Array(m));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(g,b),g[b+3]=o.constant}l.value=
+g,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,g}}var wa=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Jo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
@@ -2715,36 +2715,36 @@ t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varyi
 \n\n     #include <begin_vertex>\n     #include <project_vertex>\n\n    }\n   ",fragmentShader:"\n\n    uniform sampler2D tEquirect;\n\n    varying vec3 vWorldDirec\
 tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = normalize( vWorldDirection );\n\n     vec2 sampleUV = equirectUv( direction );\n\n     gl_Fra\
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Is(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:rr(n.uniforms),vertexShader:n.vertexShader,
-fragmentShader:n.fragmentShader,side:Bn,blending:tr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=Fn),new so(
+fragmentShader:n.fragmentShader,side:kn,blending:tr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=On),new so(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},rg=256,EM=3,CM=20,Cg=256,Rg=16,RM=3,PM=new V,IM=new rt,Hc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},og=256,RM=3,PM=20,Rg=256,Pg=16,IM=3,LM=new V,NM=new rt,Wc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new so(1,10,null),this._boxMesh=new hi(new Is(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
-_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=PM}=r,l=this._renderer;this.
+_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=LM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(IM));let m=new so(
-n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
+p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(NM));let g=new so(
+n,s,d);return g.position.copy(a),g.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
-this._cubemapMaterial===null&&(this._cubemapMaterial=lg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
-null&&(this._equirectMaterial=ag(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
+this._cubemapMaterial===null&&(this._cubemapMaterial=cg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
+null&&(this._equirectMaterial=lg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
 null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this.
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
-return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(rg,eg(e))}_fromTexture(e,t){e.mapping===ir||e.mapping===ao?this._setSize(e.image.length===0?
-rg:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
-n}_allocateTarget(){let e=this._cubeSize,t=og(e,!1,!1),n=Math.log2(e)-EM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
+return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(og,tg(e))}_fromTexture(e,t){e.mapping===ir||e.mapping===ao?this._setSize(e.image.length===0?
+og:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
+n}_allocateTarget(){let e=this._cubeSize,t=ag(e,!1,!1),n=Math.log2(e)-RM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
-(n!==null&&n.dispose(),this._sourceTarget=og(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
+(n!==null&&n.dispose(),this._sourceTarget=ag(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
 set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===ir||e.mapping===ao?(this._cubemapMaterial===
-null&&(this._cubemapMaterial=lg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
-_equirectMaterial=ag()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
-(this._ggxMaterial=LM(),this._integrationMaterial=NM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
-texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Rg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
-o,n);if(o>n-RM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Cg*Math.pow(a,4)))+.5:0;s.roughness.
-value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=DM());let n=this._blurMaterial,s=n.
+null&&(this._cubemapMaterial=cg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
+_equirectMaterial=lg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
+(this._ggxMaterial=DM(),this._integrationMaterial=UM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
+texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Pg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
+o,n);if(o>n-IM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Rg*Math.pow(a,4)))+.5:0;s.roughness.
+value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=FM());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
-r,0,n)}};function og(i,e,t){return new wa(i,{minFilter:us,generateMipmaps:e,type:Si,colorSpace:Vo,depthBuffer:t})}function Ta(i,e,t){return new ki({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:Bn,blending:tr,depthTest:!1,depthWrite:!1})}function LM(){return Ta("PMREMGGXConvolution",{envMap:{value:null},roughness:{
-value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Cg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
+r,0,n)}};function ag(i,e,t){return new wa(i,{minFilter:us,generateMipmaps:e,type:Si,colorSpace:Vo,depthBuffer:t})}function Ta(i,e,t){return new ki({name:i,uniforms:e,
+vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:tr,depthTest:!1,depthWrite:!1})}function DM(){return Ta("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Rg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
  >> 2u );\n   bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );\n   bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >\
@@ -2759,7 +2759,7 @@ at phi = 2.0 * PI * Xi.y;\n     float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.
  * sin( phi ) ) * sinTheta;\n\n     // Match the source mip to the sample's solid angle. The terms\n     // independent of the sample are precomputed in lodBias.\n \
     float d = alpha2 * invQ;\n     float lod = max( log2( d ) + lodBias, 0.0 );\n\n     // Weight by NdotL for the split-sum approximation\n     prefilteredColor +=\
  textureLod( envMap, L, lod ).rgb * NdotL;\n     totalWeight += NdotL;\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );\n\n  }\n "))}
-function NM(){return Ta("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Rg}},"\n\n  varying vec3 vWorldDirect\
+function UM(){return Ta("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Pg}},"\n\n  varying vec3 vWorldDirect\
 ion;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\n  uniform float sourceLod;\n  uniform int sourceSize;\n\n  void main() {\n\n   vec3 N = normalize( vWo\
 rldDirection );\n\n   float alpha = roughness * roughness;\n   float alpha2 = alpha * alpha;\n\n   float texelSize = 2.0 / float( sourceSize );\n\n   vec3 prefilteredC\
 olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: only the one in N's hemisphere contributes.\n   for ( int face = 0; face < 3; face +\
@@ -2769,7 +2769,7 @@ olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: 
       // With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors\n      // in the GGX distribution and texel solid angle cancel when normalized.\n      flo\
 at d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;\n      float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );\n\n      prefilteredColor += tex\
 tureLod( envMap, texelDirection, sourceLod ).rgb * weight;\n      totalWeight += weight;\n\n     }\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWe\
-ight, 1.0 );\n\n  }\n ")}function DM(){return Ta("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(CM,"\n  #defi\
+ight, 1.0 );\n\n  }\n ")}function FM(){return Ta("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(PM,"\n  #defi\
 ne GOLDEN_ANGLE 2.39996322973\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float sigma;\n\n  #include <common>\n\n  void main() {\n\n   v\
 ec3 outputDirection = normalize( vWorldDirection );\n\n   vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );\n   vec3 tang\
 ent = normalize( cross( up, outputDirection ) );\n   vec3 bitangent = cross( outputDirection, tangent );\n\n   // Truncate the kernel at three standard deviations \
@@ -2778,59 +2778,59 @@ umColor = vec3( 0.0 );\n   float accumWeight = 0.0;\n\n   for ( int i = 0; i < S
  a golden-angle spiral.\n    float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );\n    float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) )\
 ;\n    float phi = float( i ) * GOLDEN_ANGLE;\n\n    vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;\n    vec3 sampleDirection = cos( theta ) * outputD\
 irection + sin( theta ) * offset;\n\n    // Correct the planar sample density to solid angle.\n    float weight = sin( theta ) / theta;\n\n    accumColor += weight *\
- textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function ag(){
+ textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function lg(){
 return Ta("PMREMEquirectangularToCubemap",{envMap:{value:null}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform sampler2D envMap;\n\n  #include <common>\n\n  void mai\
 n() {\n\n   // Average four subpixel samples to preserve small, bright features.\n   vec3 direction = normalize( vWorldDirection );\n   vec3 dx = dFdx( direction ) \
 * 0.25;\n   vec3 dy = dFdy( direction ) * 0.25;\n\n   vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;\n   color += textu\
 reLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).\
-rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function lg(){
+rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function cg(){
 return Ta("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
-function UM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
-ec||f===tc)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new wa(p.height);return y.fromEquirectangularTexture(
+function OM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
+tc||f===nc)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new wa(p.height);return y.fromEquirectangularTexture(
 i,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===ec||f===tc,y=f===ir||f===ao;if(p||y){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
-null&&(n=new Hc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
-{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Hc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
-t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===ec?h.mapping=ir:f===tc&&(h.mapping=ao),h}function l(h){let f=0,
+mapping,p=f===tc||f===nc,y=f===ir||f===ao;if(p||y){let g=t.get(h),m=g!==void 0?g.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return n===
+null&&(n=new Wc(i)),g=p?n.fromEquirectangular(h,g):n.fromCubemap(h,g),g.texture.pmremVersion=h.pmremVersion,t.set(h,g),g.texture;if(g!==void 0)return g.texture;
+{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Wc(i)),g=p?n.fromEquirectangular(h):n.fromCubemap(h),g.texture.pmremVersion=h.pmremVersion,
+t.set(h,g),h.addEventListener("dispose",d),g.texture):null}}}return h}function a(h,f){return f===tc?h.mapping=ir:f===nc&&(h.mapping=ao),h}function l(h){let f=0,
 p=6;for(let y=0;y<p;y++)h[y]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
-n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function FM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
+n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function BM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&ko("WebGLRenderer\
-: "+n+" extension not supported."),s}}}function OM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
-p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
+: "+n+" extension not supported."),s}}}function kM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
+p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
 get(p);y&&(e.remove(y),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){
 return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(p){let y=p.attributes;
-for(let m in y)e.update(y[m],i.ARRAY_BUFFER)}function u(p){let y=p.index,m=p.attributes.position,g=0;if(m===void 0)return;let x=y!==null?y.array.length:m.array.
-length/3-1,w=m.count>=65535?qo:$o,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;g=y.version;for(let M=0,P=0;M<x;M+=3){let R=_[M+0],I=_[M+1],F=_[M+
-2];C[P++]=R,C[P++]=I,C[P++]=I,C[P++]=F,C[P++]=F,C[P++]=R}}else{g=m.version;for(let _=0,M=0;_<x;_+=3){let P=_+0,R=_+1,I=_+2;C[M++]=P,C[M++]=R,C[M++]=R,C[M++]=I,C[M++]=
-I,C[M++]=P}}b.version=g;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let m=p.index;m!==null&&y.version<m.version&&u(p)}else u(p);
-return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function BM(i,e,t){let n;
+for(let g in y)e.update(y[g],i.ARRAY_BUFFER)}function u(p){let y=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let x=y!==null?y.array.length:g.array.
+length/3-1,w=g.count>=65535?qo:$o,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;m=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
+2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{m=g.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
+I,C[M++]=R}}b.version=m;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let g=p.index;g!==null&&y.version<g.version&&u(p)}else u(p);
+return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function zM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
-n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let m=0;m<f;m++)y+=h[m];
-t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function kM(i){let e={geometries:0,textures:0},t={frame:0,
+n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let g=0;g<f;g++)y+=h[g];
+t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function VM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
-t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function zM(i,e,t){let n=new WeakMap,s=new Wt;
+t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function GM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
-a);if(h===void 0||h.count!==u){let P=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",P)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
-position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],x=a.morphAttributes.
+a);if(h===void 0||h.count!==u){let R=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",R)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
+position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],x=a.morphAttributes.
 color||[],w=0;f===!0&&(w=1),p===!0&&(w=2),y===!0&&(w=3);let b=a.attributes.position.count*w,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
-let S=new Float32Array(b*C*4*u),_=new Wo(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let R=0;R<u;R++){let I=m[R],F=g[R],z=x[R],D=b*C*4*R;for(let G=0;G<I.count;G++){
+let S=new Float32Array(b*C*4*u),_=new Wo(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let P=0;P<u;P++){let I=g[P],F=m[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
 let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),S[D+Y+0]=s.x,S[D+Y+1]=s.y,S[D+Y+2]=s.z,S[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),S[D+Y+4]=s.x,S[D+Y+5]=s.y,S[D+
 Y+6]=s.z,S[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),S[D+Y+8]=s.x,S[D+Y+9]=s.y,S[D+Y+10]=s.z,S[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
-b,C)},n.set(a,h),a.addEventListener("dispose",P)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
+b,C)},n.set(a,h),a.addEventListener("dispose",R)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let y=0;y<c.length;y++)f+=c[y];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
-function VM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
+function HM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
 (c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
 c.instanceColor,i.ARRAY_BUFFER),r.set(c,d))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==d&&(f.update(),r.set(f,d))}return h}function a(){r=new WeakMap}function l(c){
 let d=c.target;d.removeEventListener("dispose",l),n.releaseStatesOfObject(d),t.remove(d.instanceMatrix),d.instanceColor!==null&&t.remove(d.instanceColor)}return{
-update:o,dispose:a}}var GM={[Uu]:"LINEAR_TONE_MAPPING",[Fu]:"REINHARD_TONE_MAPPING",[Ou]:"CINEON_TONE_MAPPING",[Bu]:"ACES_FILMIC_TONE_MAPPING",[zu]:"AGX_TONE_MA\
-PPING",[Vu]:"NEUTRAL_TONE_MAPPING",[ku]:"CUSTOM_TONE_MAPPING"};function HM(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
+update:o,dispose:a}}var WM={[Fu]:"LINEAR_TONE_MAPPING",[Ou]:"REINHARD_TONE_MAPPING",[Bu]:"CINEON_TONE_MAPPING",[ku]:"ACES_FILMIC_TONE_MAPPING",[Vu]:"AGX_TONE_MA\
+PPING",[Gu]:"NEUTRAL_TONE_MAPPING",[zu]:"CUSTOM_TONE_MAPPING"};function XM(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
 storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,d=new ln;d.setAttribute("position",new yt([-1,3,0,-1,-1,0,
-3,-1,0],3)),d.setAttribute("uv",new yt([0,2,0,0,2,0],2));let u=new Bl({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
+3,-1,0],3)),d.setAttribute("uv",new yt([0,2,0,0,2,0],2));let u=new kl({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
 4 modelViewMatrix;\n   uniform mat4 projectionMatrix;\n\n   attribute vec3 position;\n   attribute vec2 uv;\n\n   varying vec2 vUv;\n\n   void main() {\n    vUv = uv;\n  \
   gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );\n   }",fragmentShader:"\n   precision highp float;\n\n   uniform sampler2D tDiffuse;\n\n \
   varying vec2 vUv;\n\n   #include <tonemapping_pars_fragment>\n   #include <colorspace_pars_fragment>\n\n   void main() {\n    gl_FragColor = texture2D( tDiffuse, vU\
@@ -2839,104 +2839,104 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new ca(-1,1,1,-1,0,1),p=null,y=null,m=!1,g,x=null,w=[],b=!1;this.setSize=
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new ca(-1,1,1,-1,0,1),p=null,y=null,g=!1,m,x=null,w=[],b=!1;this.setSize=
 function(C,S){o.setSize(C,S),a!==null&&a.setSize(C,S),l!==null&&l.setSize(C,S);for(let _=0;_<w.length;_++){let M=w[_];M.setSize&&M.setSize(C,S)}},this.setEffects=
 function(C){w=C,b=w.length>0&&w[0].isRenderPass===!0;let S=o.width,_=o.height;w.length>0&&a===null&&(a=new ti(S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
-S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&w.some(P=>P.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(S,_),
-r===!0&&(c.format=ds,c.type=sr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let P=0;P<w.length;P++){let R=w[P];
-R.setSize&&R.setSize(S,_),M&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,S){if(m||C.toneMapping===Vi&&w.length===0)
-return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
-Vi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=g,m=!0;let _=o,M=a;for(let P=0;P<w.length;P++){let R=w[P];R.enabled!==!1&&(R.
-render(C,M,_,S),R.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
-p)===At&&(u.defines.SRGB_TRANSFER="");let P=GM[y];P&&(u.defines[P]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
-null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Pg=new Gn,
-Ig=new hs(1,1),Lg=new Ko(1),Ng=new Wo,Dg=new Ll,Ug=new Jo,cg=[],hg=[],ug=new Float32Array(16),dg=new Float32Array(9),fg=new Float32Array(4);function ho(i,e,t){let n=i[0];
-if(n<=0||n>0)return i;let s=e*t,r=cg[s];if(r===void 0&&(r=new Float32Array(s),cg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
+S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&w.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(S,_),
+r===!0&&(c.format=ds,c.type=sr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<w.length;R++){let P=w[R];
+P.setSize&&P.setSize(S,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,S){if(g||C.toneMapping===Vi&&w.length===0)
+return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=
+Vi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=m,g=!0;let _=o,M=a;for(let R=0;R<w.length;R++){let P=w[R];P.enabled!==!1&&(P.
+render(C,M,_,S),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
+p)===At&&(u.defines.SRGB_TRANSFER="");let R=WM[y];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
+null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
+Lg=new hs(1,1),Ng=new Ko(1),Dg=new Wo,Ug=new Nl,Fg=new Jo,hg=[],ug=[],dg=new Float32Array(16),fg=new Float32Array(9),pg=new Float32Array(4);function ho(i,e,t){let n=i[0];
+if(n<=0||n>0)return i;let s=e*t,r=hg[s];if(r===void 0&&(r=new Float32Array(s),hg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
-i[t]=e[t]}function Xc(i,e){let t=hg[e];t===void 0&&(t=new Int32Array(e),hg[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function WM(i,e){let t=this.
-cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function XM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
-e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function $M(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
+i[t]=e[t]}function $c(i,e){let t=ug[e];t===void 0&&(t=new Int32Array(e),ug[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function $M(i,e){let t=this.
+cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function qM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
+e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function YM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
 (i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=
-e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function qM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function YM(i,e){
-let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;fg.set(n),i.uniformMatrix2fv(this.
-addr,!1,fg),mn(t,n)}}function ZM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
-return;dg.set(n),i.uniformMatrix3fv(this.addr,!1,dg),mn(t,n)}}function JM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
-this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;ug.set(n),i.uniformMatrix4fv(this.addr,!1,ug),mn(t,n)}}function KM(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
-addr,e),t[0]=e)}function jM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
-i.uniform2iv(this.addr,e),mn(t,e)}}function QM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
-e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function tS(i,e){
-let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
-e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function iS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
-t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function sS(i,e){let t=this.
+e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function ZM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function JM(i,e){
+let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;pg.set(n),i.uniformMatrix2fv(this.
+addr,!1,pg),mn(t,n)}}function KM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
+return;fg.set(n),i.uniformMatrix3fv(this.addr,!1,fg),mn(t,n)}}function jM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
+this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;dg.set(n),i.uniformMatrix4fv(this.addr,!1,dg),mn(t,n)}}function QM(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
+addr,e),t[0]=e)}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
+i.uniform2iv(this.addr,e),mn(t,e)}}function tS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
+e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function iS(i,e){
+let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function sS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
+e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function rS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
+t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function oS(i,e){let t=this.
 cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(
-t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function $c(i){return i.version===0&&(i.compareFunction=Ku,i.needsUpdate=!0),i}function rS(i,e,t){let n=this.cache,
-s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=$c(Ig):r=Pg,t.setTexture2D(e||r,s)}function oS(i,e,t){
-let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Dg,s)}function aS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
-n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=$c(Lg):r=Ug,t.setTextureCube(e||r,s)}function lS(i,e,t){let n=this.cache,s=t.
-allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Ng,s)}function cS(i){switch(i){case 5126:return WM;case 35664:return XM;case 35665:
-return $M;case 35666:return qM;case 35674:return YM;case 35675:return ZM;case 35676:return JM;case 5124:case 35670:return KM;case 35667:case 35671:return jM;case 35668:case 35672:
-return QM;case 35669:case 35673:return eS;case 5125:return tS;case 36294:return nS;case 36295:return iS;case 36296:return sS;case 35678:case 36198:case 36298:case 36306:case 35682:
-return rS;case 35679:case 36299:case 36307:return oS;case 35680:case 36300:case 36308:case 36293:return aS;case 36289:case 36303:case 36311:case 36292:return lS}}
-function hS(i,e){i.uniform1fv(this.addr,e)}function uS(i,e){let t=ho(e,this.size,2);i.uniform2fv(this.addr,t)}function dS(i,e){let t=ho(e,this.size,3);i.uniform3fv(
-this.addr,t)}function fS(i,e){let t=ho(e,this.size,4);i.uniform4fv(this.addr,t)}function pS(i,e){let t=ho(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function mS(i,e){
-let t=ho(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function gS(i,e){let t=ho(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function _S(i,e){i.uniform1iv(
-this.addr,e)}function xS(i,e){i.uniform2iv(this.addr,e)}function yS(i,e){i.uniform3iv(this.addr,e)}function vS(i,e){i.uniform4iv(this.addr,e)}function bS(i,e){i.
-uniform1uiv(this.addr,e)}function MS(i,e){i.uniform2uiv(this.addr,e)}function SS(i,e){i.uniform3uiv(this.addr,e)}function wS(i,e){i.uniform4uiv(this.addr,e)}function TS(i,e,t){
-let n=this.cache,s=e.length,r=Xc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=$c(Ig):o=Pg;for(let a=0;a!==s;++a)t.setTexture2D(
-e[a]||o,r[a])}function AS(i,e,t){let n=this.cache,s=e.length,r=Xc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Dg,
-r[o])}function ES(i,e,t){let n=this.cache,s=e.length,r=Xc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=$c(Lg):o=Ug;
-for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function CS(i,e,t){let n=this.cache,s=e.length,r=Xc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
-s;++o)t.setTexture2DArray(e[o]||Ng,r[o])}function RS(i){switch(i){case 5126:return hS;case 35664:return uS;case 35665:return dS;case 35666:return fS;case 35674:
-return pS;case 35675:return mS;case 35676:return gS;case 5124:case 35670:return _S;case 35667:case 35671:return xS;case 35668:case 35672:return yS;case 35669:case 35673:
-return vS;case 5125:return bS;case 36294:return MS;case 36295:return SS;case 36296:return wS;case 35678:case 36198:case 36298:case 36306:case 35682:return TS;case 35679:case 36299:case 36307:
-return AS;case 35680:case 36300:case 36308:case 36293:return ES;case 36289:case 36303:case 36311:case 36292:return CS}}var ad=class{constructor(e,t,n){this.id=e,
-this.addr=n,this.cache=[],this.type=t.type,this.setValue=cS(t.type)}},ld=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
-t.size,this.setValue=RS(t.type)}},cd=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
-a.setValue(e,t[a.id],n)}}},rd=/(\w+)(\])?(\[|\.)?/g;function pg(i,e){i.seq.push(e),i.map[e.id]=e}function PS(i,e,t){let n=i.name,s=n.length;for(rd.lastIndex=0;;){
-let r=rd.exec(n),o=rd.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){pg(t,c===void 0?new ad(a,i,e):new ld(a,i,e));break}else{let u=t.
-map[a];u===void 0&&(u=new cd(a),pg(t,u)),t=u}}}var co=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
-n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);PS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
+t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function qc(i){return i.version===0&&(i.compareFunction=ju,i.needsUpdate=!0),i}function aS(i,e,t){let n=this.cache,
+s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=qc(Lg):r=Ig,t.setTexture2D(e||r,s)}function lS(i,e,t){
+let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Ug,s)}function cS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
+n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=qc(Ng):r=Fg,t.setTextureCube(e||r,s)}function hS(i,e,t){let n=this.cache,s=t.
+allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Dg,s)}function uS(i){switch(i){case 5126:return $M;case 35664:return qM;case 35665:
+return YM;case 35666:return ZM;case 35674:return JM;case 35675:return KM;case 35676:return jM;case 5124:case 35670:return QM;case 35667:case 35671:return eS;case 35668:case 35672:
+return tS;case 35669:case 35673:return nS;case 5125:return iS;case 36294:return sS;case 36295:return rS;case 36296:return oS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return aS;case 35679:case 36299:case 36307:return lS;case 35680:case 36300:case 36308:case 36293:return cS;case 36289:case 36303:case 36311:case 36292:return hS}}
+function dS(i,e){i.uniform1fv(this.addr,e)}function fS(i,e){let t=ho(e,this.size,2);i.uniform2fv(this.addr,t)}function pS(i,e){let t=ho(e,this.size,3);i.uniform3fv(
+this.addr,t)}function mS(i,e){let t=ho(e,this.size,4);i.uniform4fv(this.addr,t)}function gS(i,e){let t=ho(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function _S(i,e){
+let t=ho(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function xS(i,e){let t=ho(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function yS(i,e){i.uniform1iv(
+this.addr,e)}function vS(i,e){i.uniform2iv(this.addr,e)}function bS(i,e){i.uniform3iv(this.addr,e)}function MS(i,e){i.uniform4iv(this.addr,e)}function SS(i,e){i.
+uniform1uiv(this.addr,e)}function wS(i,e){i.uniform2uiv(this.addr,e)}function TS(i,e){i.uniform3uiv(this.addr,e)}function AS(i,e){i.uniform4uiv(this.addr,e)}function ES(i,e,t){
+let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=qc(Lg):o=Ig;for(let a=0;a!==s;++a)t.setTexture2D(
+e[a]||o,r[a])}function CS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Ug,
+r[o])}function RS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=qc(Ng):o=Fg;
+for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function PS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
+s;++o)t.setTexture2DArray(e[o]||Dg,r[o])}function IS(i){switch(i){case 5126:return dS;case 35664:return fS;case 35665:return pS;case 35666:return mS;case 35674:
+return gS;case 35675:return _S;case 35676:return xS;case 5124:case 35670:return yS;case 35667:case 35671:return vS;case 35668:case 35672:return bS;case 35669:case 35673:
+return MS;case 5125:return SS;case 36294:return wS;case 36295:return TS;case 36296:return AS;case 35678:case 36198:case 36298:case 36306:case 35682:return ES;case 35679:case 36299:case 36307:
+return CS;case 35680:case 36300:case 36308:case 36293:return RS;case 36289:case 36303:case 36311:case 36292:return PS}}var ld=class{constructor(e,t,n){this.id=e,
+this.addr=n,this.cache=[],this.type=t.type,this.setValue=uS(t.type)}},cd=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
+t.size,this.setValue=IS(t.type)}},hd=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
+a.setValue(e,t[a.id],n)}}},od=/(\w+)(\])?(\[|\.)?/g;function mg(i,e){i.seq.push(e),i.map[e.id]=e}function LS(i,e,t){let n=i.name,s=n.length;for(od.lastIndex=0;;){
+let r=od.exec(n),o=od.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){mg(t,c===void 0?new ld(a,i,e):new cd(a,i,e));break}else{let u=t.
+map[a];u===void 0&&(u=new hd(a),mg(t,u)),t=u}}}var co=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
+n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);LS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
 setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
-!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function mg(i,e,t){let n=i.
-createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var IS=37297,LS=0;function NS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
-for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var gg=new Qe;function DS(i){_t._getMatrix(gg,
-_t.workingColorSpace,i);let e="mat3( ".concat(gg.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case Go:return[e,"LinearTransferOETF"];case At:return[
-e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function _g(i,e,t){let n=i.getShaderParameter(e,i.
+!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function gg(i,e,t){let n=i.
+createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var NS=37297,DS=0;function US(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
+for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var _g=new Qe;function FS(i){_t._getMatrix(_g,
+_t.workingColorSpace,i);let e="mat3( ".concat(_g.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case Go:return[e,"LinearTransferOETF"];case At:return[
+e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function xg(i,e,t){let n=i.getShaderParameter(e,i.
 COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+"\n\n"+
-r+"\n\n"+NS(i.getShaderSource(e),a)}else return r}function US(i,e){let t=DS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
-t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var FS={[Uu]:"Linear",[Fu]:"Reinhard",[Ou]:"Cineon",[Bu]:"ACESFilmic",[zu]:"AgX",[Vu]:"Neutral",[ku]:"Custom"};
-function OS(i,e){let t=FS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
-"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Gc=new V;function BS(){_t.getLuminanceCoefficients(Gc);let i=Gc.x.toFixed(4),e=Gc.y.toFixed(
-4),t=Gc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
-weights, rgb );","}"].join("\n")}function kS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
-extension GL_ANGLE_multi_draw : require":""].filter(Sa).join("\n")}function zS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
-join("\n")}function VS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
+r+"\n\n"+US(i.getShaderSource(e),a)}else return r}function OS(i,e){let t=FS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
+t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var BS={[Fu]:"Linear",[Ou]:"Reinhard",[Bu]:"Cineon",[ku]:"ACESFilmic",[Vu]:"AgX",[Gu]:"Neutral",[zu]:"Custom"};
+function kS(i,e){let t=BS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
+"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Hc=new V;function zS(){_t.getLuminanceCoefficients(Hc);let i=Hc.x.toFixed(4),e=Hc.y.toFixed(
+4),t=Hc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
+weights, rgb );","}"].join("\n")}function VS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
+extension GL_ANGLE_multi_draw : require":""].filter(Sa).join("\n")}function GS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
+join("\n")}function HS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
 (a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function Sa(i){return i!==
-""}function xg(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
+""}function yg(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
 e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,
 e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
-e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function yg(i,e){return i.
-replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var GS=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function hd(i){return i.replace(GS,HS)}function HS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return hd(
-t)}var WS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function vg(i){
-return i.replace(WS,XS)}function XS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
-r);return s}function bg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
+e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function vg(i,e){return i.
+replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var WS=/^[ \t]*#include +<([\w\d./]+)>/gm;
+function ud(i){return i.replace(WS,XS)}function XS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ud(
+t)}var $S=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function bg(i){
+return i.replace($S,qS)}function qS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
+r);return s}function Mg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
 ;\n precision ").concat(i.precision," samplerCube;\n precision ").concat(i.precision," sampler3D;\n precision ").concat(i.precision," sampler2DArray;\n precision\
  ").concat(i.precision," sampler2DShadow;\n precision ").concat(i.precision," samplerCubeShadow;\n precision ").concat(i.precision," sampler2DArrayShadow;\n prec\
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var $S={[fa]:"SHADOWMAP_TYPE_PCF",[ro]:"SHADOWMAP_TYPE_VSM"};function qS(i){
-return $S[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var YS={[ao]:"ENVMAP_MODE_REFRACTION"};function ZS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":YS[i.envMapMode]||
-"ENVMAP_MODE_REFLECTION"}var JS={[Ql]:"ENVMAP_BLENDING_MULTIPLY",[Bm]:"ENVMAP_BLENDING_MIX",[km]:"ENVMAP_BLENDING_ADD"};function KS(i){return i.envMap===!1?"ENV\
-MAP_BLENDING_NONE":JS[i.combine]||"ENVMAP_BLENDING_NONE"}function jS(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=qS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=ZS(t),u=KS(t),h=kS(t),f=zS(r),p=s.createProgram(),y,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
-(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Sa).join("\n"),y.length>0&&(y+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(Sa).join("\n"),m.length>0&&(m+="\n")):(y=[bg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var YS={[fa]:"SHADOWMAP_TYPE_PCF",[ro]:"SHADOWMAP_TYPE_VSM"};function ZS(i){
+return YS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var JS={[ao]:"ENVMAP_MODE_REFRACTION"};function KS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":JS[i.envMapMode]||
+"ENVMAP_MODE_REFLECTION"}var jS={[ec]:"ENVMAP_BLENDING_MULTIPLY",[km]:"ENVMAP_BLENDING_MIX",[zm]:"ENVMAP_BLENDING_ADD"};function QS(i){return i.envMap===!1?"ENV\
+MAP_BLENDING_NONE":jS[i.combine]||"ENVMAP_BLENDING_NONE"}function ew(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=ZS(t),c=t.envMapPMREM===
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=KS(t),u=QS(t),h=VS(t),f=GS(r),p=s.createProgram(),y,g,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Sa).join("\n"),y.length>0&&(y+="\n"),g=["#define SHADER_TYPE "+t.shaderType,
+"#define SHADER_NAME "+t.shaderName,f].filter(Sa).join("\n"),g.length>0&&(g+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2970,7 +2970,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(Sa).join("\n"),m=[bg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(Sa).join("\n"),g=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2991,32 +2991,32 @@ DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#defin
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Vi?"#define TONE_MAPPING":"",t.toneMapping!==Vi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
-Vi?OS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,US("linearToOutputTexel",t.outputColorSpace),
-BS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(Sa).join("\n")),o=hd(o),o=xg(o,t),o=yg(o,t),a=hd(a),a=xg(a,t),a=yg(a,t),o=vg(o),a=
-vg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,m=["#d\
-efine varying in",t.glslVersion===ju?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===ju?"":"#define gl_FragColor pc_fragColor","#define g\
+Vi?kS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,OS("linearToOutputTexel",t.outputColorSpace),
+zS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(Sa).join("\n")),o=ud(o),o=yg(o,t),o=vg(o,t),a=ud(a),a=yg(a,t),a=vg(a,t),o=bg(o),a=
+bg(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,g=["#d\
+efine varying in",t.glslVersion===Qu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Qu?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let x=g+y+o,w=g+m+a,b=mg(s,s.VERTEX_SHADER,x),C=mg(s,s.FRAGMENT_SHADER,w);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+g);let x=m+y+o,w=m+g+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,w);s.attachShader(
 p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
-osition"),s.linkProgram(p);function S(R){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
+osition"),s.linkProgram(p);function S(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
 D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
-s,p,b,C);else{let K=_g(s,b,"vertex"),Q=_g(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
-"\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(R.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new co(
-s,p),M=VS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let P=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return P===!1&&(P=s.getProgramParameter(p,IS)),P},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=LS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
-C,this}var QS=0,ud=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
+s,p,b,C);else{let K=xg(s,b,"vertex"),Q=xg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
+"\n\nMaterial Name: "+P.name+"\nMaterial Type: "+P.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
+"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:g}})}s.deleteShader(b),s.deleteShader(C),_=new co(
+s,p),M=HS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let R=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,NS)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=DS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
+C,this}var tw=0,dd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
-n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new dd(e),t.set(e,n)),n}},dd=class{constructor(e){
-this.id=QS++,this.code=e,this.usedTimes=0}};function ew(i){return i===Os||i===ya||i===va}function tw(i,e,t,n,s,r){let o=new jr,a=new ud,l=new Set,c=[],d=new Map,
+n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new fd(e),t.set(e,n)),n}},fd=class{constructor(e){
+this.id=tw++,this.code=e,this.usedTimes=0}};function nw(i){return i===Os||i===ya||i===va}function iw(i,e,t,n,s,r){let o=new jr,a=new dd,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(_){return l.add(_),_===0?"uv":"uv".concat(
-_)}function p(_,M,P,R,I,F){let z=R.fog,D=I.geometry,G=_.isMeshStandardMaterial||_.isMeshLambertMaterial||_.isMeshPhongMaterial?R.environment:null,Y=_.isMeshStandardMaterial||
+_)}function p(_,M,R,P,I,F){let z=P.fog,D=I.geometry,G=_.isMeshStandardMaterial||_.isMeshLambertMaterial||_.isMeshPhongMaterial?P.environment:null,Y=_.isMeshStandardMaterial||
 _.isMeshLambertMaterial&&!_.envMap||_.isMeshPhongMaterial&&!_.envMap,W=e.get(_.envMap||G,Y),ce=h[_.type],K=n.precision;_.precision!==null&&(K=n.getMaxPrecision(
 _.precision),K!==_.precision&&qe("WebGLProgram.getParameters:",_.precision,"not supported, using",K,"instead."));let Q=D.morphAttributes.position||D.morphAttributes.
 normal||D.morphAttributes.color,se=Q!==void 0?Q.length:0,de=0;D.morphAttributes.position!==void 0&&(de=1),D.morphAttributes.normal!==void 0&&(de=2),D.morphAttributes.
@@ -3032,8 +3032,8 @@ W.mipmaps:null,Je={shaderID:ce,shaderType:_.type,shaderName:_.name,vertexShader:
 isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:K,batching:nt,batchingColor:nt&&I._colorsTexture!==null,instancing:He,instancingColor:He&&
 I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
 workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&W.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
-Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&_.normalMapType===Gm,normalMapTangentSpace:Pt&&
-_.normalMapType===zc,packedNormalMap:Pt&&_.normalMapType===zc&&ew(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
+Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&_.normalMapType===Hm,normalMapTangentSpace:Pt&&
+_.normalMapType===Vc,packedNormalMap:Pt&&_.normalMapType===Vc&&nw(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
 clearcoatMap:L,clearcoatNormalMap:T,clearcoatRoughnessMap:$,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:$e,retroreflection:it,iridescence:Se,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
 thicknessMap:ne,gradientMap:we,opaque:_.transparent===!1&&_.blending===oo&&_.alphaToCoverage===!1,alphaMap:ge,alphaTest:be,alphaHash:Ge,combine:_.combine,mapUv:Ve&&
@@ -3052,14 +3052,14 @@ morphAttributes.normal!==void 0,morphColors:D.morphAttributes.color!==void 0,mor
 directional.length,numPointLights:M.point.length,numSpotLights:M.spot.length,numSpotLightMaps:M.spotLightMap.length,numRectAreaLights:M.rectArea.length,numHemiLights:M.
 hemi.length,numSunLightShadows:M.sunShadowMap.length,numDirLightShadows:M.directionalShadowMap.length,numPointLightShadows:M.pointShadowMap.length,numSpotLightShadows:M.
 spotShadowMap.length,numSpotLightShadowsWithMaps:M.numSpotLightShadowsWithMaps,numLightProbes:M.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
-length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:_.dithering,shadowMapEnabled:i.shadowMap.enabled&&P.length>0,shadowMapType:i.
+length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:_.dithering,shadowMapEnabled:i.shadowMap.enabled&&R.length>0,shadowMapType:i.
 shadowMap.type,toneMapping:le,decodeVideoTexture:Ve&&_.map.isVideoTexture===!0&&_t.getTransfer(_.map.colorSpace)===At,decodeVideoTextureEmissive:vt&&_.emissiveMap.
-isVideoTexture===!0&&_t.getTransfer(_.emissiveMap.colorSpace)===At,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===zi,flipSided:_.side===Bn,useDepthPacking:_.
+isVideoTexture===!0&&_t.getTransfer(_.emissiveMap.colorSpace)===At,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===zi,flipSided:_.side===kn,useDepthPacking:_.
 depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Ze&&_.extensions.clipCullDistance===!0&&t.has(
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
-Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let P in _.defines)
-M.push(P),M.push(_.defines[P]);return _.isRawShaderMaterial===!1&&(m(M,_),g(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function m(_,M){
+Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let R in _.defines)
+M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(g(M,_),m(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function g(_,M){
 _.push(M.precision),_.push(M.outputColorSpace),_.push(M.envMapMode),_.push(M.envMapPMREM),_.push(M.envMapMaxLod),_.push(M.envMapSize),_.push(M.mapUv),_.push(M.alphaMapUv),
 _.push(M.lightMapUv),_.push(M.aoMapUv),_.push(M.bumpMapUv),_.push(M.normalMapUv),_.push(M.displacementMapUv),_.push(M.emissiveMapUv),_.push(M.metalnessMapUv),_.
 push(M.roughnessMapUv),_.push(M.anisotropyMapUv),_.push(M.clearcoatMapUv),_.push(M.clearcoatNormalMapUv),_.push(M.clearcoatRoughnessMapUv),_.push(M.diffuseRoughnessMapUv),
@@ -3068,7 +3068,7 @@ _.push(M.specularIntensityMapUv),_.push(M.transmissionMapUv),_.push(M.thicknessM
 _.push(M.numSunLights),_.push(M.numDirLights),_.push(M.numPointLights),_.push(M.numSpotLights),_.push(M.numSpotLightMaps),_.push(M.numHemiLights),_.push(M.numRectAreaLights),
 _.push(M.numSunLightShadows),_.push(M.numDirLightShadows),_.push(M.numPointLightShadows),_.push(M.numSpotLightShadows),_.push(M.numSpotLightShadowsWithMaps),_.push(
 M.numLightProbes),_.push(M.numLightProbeGrids),_.push(M.shadowMapType),_.push(M.toneMapping),_.push(M.numClippingPlanes),_.push(M.numClipIntersection),_.push(M.
-depthPacking)}function g(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
+depthPacking)}function m(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
 o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
 M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
 15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
@@ -3077,159 +3077,159 @@ M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmi
 5),M.morphTargets&&o.enable(6),M.morphNormals&&o.enable(7),M.morphColors&&o.enable(8),M.premultipliedAlpha&&o.enable(9),M.shadowMapEnabled&&o.enable(10),M.doubleSided&&
 o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
 enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
-0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function x(_){let M=h[_.type],P;if(M){let R=Hi[M];P=ng.clone(R.uniforms)}else P=_.uniforms;return P}
-function w(_,M){let P=d.get(M);return P!==void 0?++P.usedTimes:(P=new jS(i,M,_,s),c.push(P),d.set(M,P)),P}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
+0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function x(_){let M=h[_.type],R;if(M){let P=Hi[M];R=ig.clone(P.uniforms)}else R=_.uniforms;return R}
+function w(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new ew(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
 c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function S(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:x,
-acquireProgram:w,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:S}}function nw(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+acquireProgram:w,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:S}}function sw(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
-dispose:r}}function iw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
-e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Mg(i,e){
-return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function Sg(){
-let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,m,g){
-let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:m,group:g},i[e]=x):(x.id=h.
-id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=m,x.group=g),e++,x}function l(h,f,p,y,m,g,x){x.reversedDepth===
-!0&&(m=-m);let w=a(h,f,p,y,m,g);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,m,g){let x=a(h,f,p,y,m,g);p.transmission>0?
-n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||iw),n.length>1&&n.sort(f||Mg),s.length>1&&s.sort(f||Mg)}function u(){
+dispose:r}}function rw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
+e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Sg(i,e){
+return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function wg(){
+let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,g,m){
+let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:g,group:m},i[e]=x):(x.id=h.
+id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=g,x.group=m),e++,x}function l(h,f,p,y,g,m,x){x.reversedDepth===
+!0&&(g=-g);let w=a(h,f,p,y,g,m);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,g,m){let x=a(h,f,p,y,g,m);p.transmission>0?
+n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||rw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
-transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function sw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new Sg,i.set(n,[o])):
-s>=r.length?(o=new Sg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function rw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
+transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function ow(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new wg,i.set(n,[o])):
+s>=r.length?(o=new wg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function aw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
 id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new rt};break;case"SpotLight":t={position:new V,direction:new V,color:new rt,
 distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
-skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function ow(){
+skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function lw(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
-id]=t,t}}}var aw=0;function lw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function cw(i){let e=new rw,t=ow(),n={version:0,hash:{sunLength:-1,
+id]=t,t}}}var cw=0;function hw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function uw(i){let e=new aw,t=lw(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,m=0,g=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,P=0,R=0;c.sort(lw);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,g=0,m=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,R=0,P=0;c.sort(hw);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Os?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
-addScaledVector(D.sh.coefficients[K],Y);R++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
+addScaledVector(D.sh.coefficients[K],Y);P++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
 se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize.copy(Q.mapSize).multiply(
 Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
 ue]=Q._cascadeData[ue];y+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.directionalShadow[m]=se,n.directionalShadowMap[m]=ce,n.directionalShadowMatrix[m]=D.shadow.matrix,C++}n.directional[m]=K,m++}else if(D.isSpotLight){let K=e.get(
+n.directionalShadow[g]=se,n.directionalShadowMap[g]=ce,n.directionalShadowMatrix[g]=D.shadow.matrix,C++}n.directional[g]=K,g++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
-D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&P++),n.spotLightMatrix[x]=Q.matrix,
+D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&R++),n.spotLightMatrix[x]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.spotShadow[x]=se,n.spotShadowMap[x]=ce,_++}x++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
 set(0,D.height*.5,0),n.rectArea[w]=K,w++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
-shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
-matrix,S++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[m]=se,n.pointShadowMap[m]=ce,n.pointShadowMatrix[m]=D.shadow.
+matrix,S++}n.point[m]=K,m++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
 Y),n.hemi[b]=K,b++}}w>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==m||I.pointLength!==g||I.spotLength!==x||I.rectAreaLength!==
-w||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==R)&&(n.
-sun.length=f,n.directional.length=m,n.spot.length=x,n.rectArea.length=w,n.point.length=g,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==g||I.pointLength!==m||I.spotLength!==x||I.rectAreaLength!==
+w||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==P)&&(n.
+sun.length=f,n.directional.length=g,n.spot.length=x,n.rectArea.length=w,n.point.length=m,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
 length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=S,n.pointShadowMap.
-length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-P,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
-P,n.numLightProbes=R,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=R,n.version=aw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,m=0,g=d.matrixWorldInverse;for(let x=0,
-w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
+length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
+R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=g,I.pointLength=m,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
+C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=cw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,g=0,m=d.matrixWorldInverse;for(let x=0,
+w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(m),u++}else if(b.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
-b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
+transformDirection(m),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(
+b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
+C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(b.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.
 set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
-C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function wg(i){let e=new cw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),f++}else if(b.isHemisphereLight){let C=n.hemi[g];C.direction.setFromMatrixPosition(b.matrixWorld),
+C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new uw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
-return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function hw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
-(a=new wg(i),e.set(s,[a])):r>=o.length?(a=new wg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var uw="void main() {\n gl_Position = \
-vec4( position, 1.0 );\n}",dw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
+return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function dw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
+(a=new Tg(i),e.set(s,[a])):r>=o.length?(a=new Tg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var fw="void main() {\n gl_Position = \
+vec4( position, 1.0 );\n}",pw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
 PLES );\n float mean = 0.0;\n float squared_mean = 0.0;\n float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );\n float uvStart = samples <= 1.0 ? 0.0 : \
 - 1.0;\n for ( float i = 0.0; i < samples; i ++ ) {\n  float uvOffset = uvStart + i * uvStride;\n  #ifdef HORIZONTAL_PASS\n   vec2 distribution = texture2D( shadow_\
 pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n   mean += distribution.x;\n   squared_mean += distribution.y * distribution.y + di\
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
-mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",fw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-pw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Tg=new xt,Ma=new V,od=new V;function mw(i,e,t){let n=new Rs,s=new st,r=new st,
-o=new Wt,a=new kl,l=new zl,c={},d=t.maxTextureSize,u={[Fs]:Bn,[Bn]:Fs,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new st},radius:{value:4}},vertexShader:uw,fragmentShader:dw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=fa;let g=this.type;this.render=function(S,_,M){
-if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||S.length===0)return;this.type===ym&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
-hadowMap instead."),this.type=fa);let P=i.getRenderTarget(),R=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(tr),F.buffers.depth.getReversed()===
-!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
+mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",mw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
+gw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,Ma=new V,ad=new V;function _w(i,e,t){let n=new Rs,s=new st,r=new st,
+o=new Wt,a=new zl,l=new Vl,c={},d=t.maxTextureSize,u={[Fs]:kn,[kn]:Fs,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
+value:new st},radius:{value:4}},vertexShader:fw,fragmentShader:pw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=fa;let m=this.type;this.render=function(S,_,M){
+if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||S.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+hadowMap instead."),this.type=fa);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(tr),F.buffers.depth.getReversed()===
+!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=m!==this.type;z&&_.traverse(function(D){
 D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=S.length;D<G;D++){let Y=S[D],W=Y.shadow;
 if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
 s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
 y=r.y));let K=i.state.buffers.depth.getReversed();if(W.camera._reversedDepth=K,W.map===null||z===!0){if(W.map!==null&&(W.map.depthTexture!==null&&(W.map.depthTexture.
 dispose(),W.map.depthTexture=null),W.map.dispose()),this.type===ro){if(Y.isPointLight){qe("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
-e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Os,type:Si,minFilter:Fn,magFilter:Fn,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
+e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Os,type:Si,minFilter:On,magFilter:On,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
 hadowMap",W.map.depthTexture=new hs(s.x,s.y,ui),W.map.depthTexture.name=Y.name+".shadowMapDepth",W.map.depthTexture.format=rs,W.map.depthTexture.compareFunction=
 null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.magFilter=Mn}else Y.isPointLight?(W.map=new wa(s.x),W.map.depthTexture=new Ko(s.x,Mi)):(W.map=new ti(s.x,
 s.y),W.map.depthTexture=new hs(s.x,s.y,Mi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=rs,this.type===fa?(W.map.depthTexture.compareFunction=
-K?Ju:Zu,W.map.depthTexture.minFilter=Fn,W.map.depthTexture.magFilter=Fn):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.
+K?Ku:Ju,W.map.depthTexture.minFilter=On,W.map.depthTexture.magFilter=On):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.
 magFilter=Mn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
 isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,M);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:M.layers;
 for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
-Ma.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(Ma),od.copy(ee.position),od.add(fw[de]),ee.up.copy(pw[de]),ee.lookAt(od),ee.updateMatrixWorld(),me.makeTranslation(
--Ma.x,-Ma.y,-Ma.z),Tg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Tg,ee.coordinateSystem,ee.reversedDepth)}if(W.
+Ma.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(Ma),ad.copy(ee.position),ad.add(mw[de]),ee.up.copy(gw[de]),ee.lookAt(ad),ee.updateMatrixWorld(),me.makeTranslation(
+-Ma.x,-Ma.y,-Ma.z),Ag.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Ag,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}g=this.type,
-m.needsUpdate=!1,i.setRenderTarget(P,R,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}m=this.type,
+g.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
 VSM_SAMPLES=S.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),S.mapPass===null?S.mapPass=new ti(s.x,s.y,{format:Os,type:Si}):(S.mapPass.width!==S.map.width||S.mapPass.
 height!==S.map.height)&&S.mapPass.setSize(S.map.width,S.map.height),h.uniforms.shadow_pass.value=S.map.depthTexture,h.uniforms.resolution.value.set(S.map.width,
 S.map.height),h.uniforms.radius.value=S.radius,i.setRenderTarget(S.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=S.mapPass.
 texture,f.uniforms.resolution.value.set(S.map.width,S.map.height),f.uniforms.radius.value=S.radius,i.setRenderTarget(S.map),i.clear(),i.renderBufferDirect(_,null,
-M,f,y,null)}function w(S,_,M,P){let R=null,I=M.isPointLight===!0?S.customDistanceMaterial:S.customDepthMaterial;if(I!==void 0)R=I;else if(R=M.isPointLight===!0?
+M,f,y,null)}function w(S,_,M,R){let P=null,I=M.isPointLight===!0?S.customDistanceMaterial:S.customDepthMaterial;if(I!==void 0)P=I;else if(P=M.isPointLight===!0?
 l:a,i.localClippingEnabled&&_.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&
-_.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let F=R.uuid,z=_.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=R.clone(),D[z]=G,_.
-addEventListener("dispose",C)),R=G}if(R.visible=_.visible,R.wireframe=_.wireframe,P===ro?R.side=_.shadowSide!==null?_.shadowSide:_.side:R.side=_.shadowSide!==null?
-_.shadowSide:u[_.side],R.alphaMap=_.alphaMap,R.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,R.map=_.map,R.clipShadows=_.clipShadows,R.clippingPlanes=_.clippingPlanes,
-R.clipIntersection=_.clipIntersection,R.displacementMap=_.displacementMap,R.displacementScale=_.displacementScale,R.displacementBias=_.displacementBias,R.wireframeLinewidth=
-_.wireframeLinewidth,R.linewidth=_.linewidth,M.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=M}return R}function b(S,_,M,P,R,I){
-if(S.visible===!1)return;if(S.layers.test(R)&&(S.isMesh||S.isLine||S.isPoints)&&(S.castShadow||S.receiveShadow&&I===ro)&&(!S.frustumCulled||S.intersectsFrustum(
+_.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let F=P.uuid,z=_.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=P.clone(),D[z]=G,_.
+addEventListener("dispose",C)),P=G}if(P.visible=_.visible,P.wireframe=_.wireframe,R===ro?P.side=_.shadowSide!==null?_.shadowSide:_.side:P.side=_.shadowSide!==null?
+_.shadowSide:u[_.side],P.alphaMap=_.alphaMap,P.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,P.map=_.map,P.clipShadows=_.clipShadows,P.clippingPlanes=_.clippingPlanes,
+P.clipIntersection=_.clipIntersection,P.displacementMap=_.displacementMap,P.displacementScale=_.displacementScale,P.displacementBias=_.displacementBias,P.wireframeLinewidth=
+_.wireframeLinewidth,P.linewidth=_.linewidth,M.isPointLight===!0&&P.isMeshDistanceMaterial===!0){let F=i.properties.get(P);F.light=M}return P}function b(S,_,M,R,P,I){
+if(S.visible===!1)return;if(S.layers.test(P)&&(S.isMesh||S.isLine||S.isPoints)&&(S.castShadow||S.receiveShadow&&I===ro)&&(!S.frustumCulled||S.intersectsFrustum(
 n))){S.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,S.matrixWorld);let D=e.update(S),G=S.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
-length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=w(S,Q,P,I);S.onBeforeShadow(i,S,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,S,K),S.onAfterShadow(
-i,S,_,M,D,se,K)}}}else if(G.visible){let Y=w(S,G,P,I);S.onBeforeShadow(i,S,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,S,null),S.onAfterShadow(i,S,_,M,D,Y,null)}}
-let z=S.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,P,R,I)}function C(S){S.target.removeEventListener("dispose",C);for(let M in c){let P=c[M],R=S.target.
-uuid;R in P&&(P[R].dispose(),delete P[R])}}}function gw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
+length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=w(S,Q,R,I);S.onBeforeShadow(i,S,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,S,K),S.onAfterShadow(
+i,S,_,M,D,se,K)}}}else if(G.visible){let Y=w(S,G,R,I);S.onBeforeShadow(i,S,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,S,null),S.onAfterShadow(i,S,_,M,D,Y,null)}}
+let z=S.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,R,P,I)}function C(S){S.target.removeEventListener("dispose",C);for(let M in c){let R=c[M],P=S.target.
+uuid;P in R&&(R[P].dispose(),delete R[P])}}}function xw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,be,Ge,Ze,le){le===!0&&(ge*=Ze,be*=Ze,Ge*=Ze),re.set(ge,be,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,be,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){
 if(re!==be){let Ge=e.get("EXT_clip_control");be?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
 re=be;let Ze=ge;ge=null,this.setClear(Ze)}},getReversed:function(){return re},setTest:function(be){be?Me(i.DEPTH_TEST):He(i.DEPTH_TEST)},setMask:function(be){ne!==
-be&&!O&&(i.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=Qm[be]),we!==be){switch(be){case yl:i.depthFunc(i.NEVER);break;case vl:i.depthFunc(i.ALWAYS);break;case bl:
-i.depthFunc(i.LESS);break;case Yr:i.depthFunc(i.LEQUAL);break;case Ml:i.depthFunc(i.EQUAL);break;case Sl:i.depthFunc(i.GEQUAL);break;case wl:i.depthFunc(i.GREATER);
-break;case Tl:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=be}},setLocked:function(be){O=be},setClear:function(be){ge!==be&&(ge=be,re&&(be=1-be),
+be&&!O&&(i.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=eg[be]),we!==be){switch(be){case vl:i.depthFunc(i.NEVER);break;case bl:i.depthFunc(i.ALWAYS);break;case Ml:
+i.depthFunc(i.LESS);break;case Yr:i.depthFunc(i.LEQUAL);break;case Sl:i.depthFunc(i.EQUAL);break;case wl:i.depthFunc(i.GEQUAL);break;case Tl:i.depthFunc(i.GREATER);
+break;case Al:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=be}},setLocked:function(be){O=be},setClear:function(be){ge!==be&&(ge=be,re&&(be=1-be),
 i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,Ze=null,le=null;return{
 setTest:function(Oe){O||(Oe?Me(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(be!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),be=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,
-M=new rt(0,0,0),P=0,R=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,g=!1,m=null,x=null,w=null,b=null,C=null,S=null,_=null,
+M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
 4),be=i.createTexture();i.bindTexture(O,be),i.texParameteri(O,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(O,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Ge=0;Ge<
 ne;Ge++)O===i.TEXTURE_3D||O===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+Ge,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,
 ge);return be}let Ee={};Ee[i.TEXTURE_2D]=xe(i.TEXTURE_2D,i.TEXTURE_2D,1),Ee[i.TEXTURE_CUBE_MAP]=xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ee[i.TEXTURE_2D_ARRAY]=
 xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(i.DEPTH_TEST),
-o.setFunc(Yr),Qt(!1),Pt(Ru),Me(i.CULL_FACE),Gt(tr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
+o.setFunc(Yr),Qt(!1),Pt(Pu),Me(i.CULL_FACE),Gt(tr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
 return h[O]!==re?(i.bindFramebuffer(O,re),h[O]=re,O===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=re),O===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ve(O,re){
 let ne=p,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let be=0,Ge=ge.
 length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return y!==
-O?(i.useProgram(O),y=O,!0):!1}let lt={[nr]:i.FUNC_ADD,[bm]:i.FUNC_SUBTRACT,[Mm]:i.FUNC_REVERSE_SUBTRACT};lt[Sm]=i.MIN,lt[wm]=i.MAX;let et={[Tm]:i.ZERO,[Am]:i.ONE,
-[Em]:i.SRC_COLOR,[Nu]:i.SRC_ALPHA,[Nm]:i.SRC_ALPHA_SATURATE,[Im]:i.DST_COLOR,[Rm]:i.DST_ALPHA,[Cm]:i.ONE_MINUS_SRC_COLOR,[Du]:i.ONE_MINUS_SRC_ALPHA,[Lm]:i.ONE_MINUS_DST_COLOR,
-[Pm]:i.ONE_MINUS_DST_ALPHA,[Dm]:i.CONSTANT_COLOR,[Um]:i.ONE_MINUS_CONSTANT_COLOR,[Fm]:i.CONSTANT_ALPHA,[Om]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
-if(O===tr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==vm){if(O!==g||Oe!==R){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
-Oe)switch(O){case oo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Pu:i.blendFunc(i.ONE,i.ONE);break;case Iu:i.blendFuncSeparate(
-i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Lu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
-id blending: ",O);break}else switch(O){case oo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Pu:i.blendFuncSeparate(
-i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Iu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Lu:Ke("WebGLState: Mul\
+O?(i.useProgram(O),y=O,!0):!1}let lt={[nr]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
+[Cm]:i.SRC_COLOR,[Du]:i.SRC_ALPHA,[Dm]:i.SRC_ALPHA_SATURATE,[Lm]:i.DST_COLOR,[Pm]:i.DST_ALPHA,[Rm]:i.ONE_MINUS_SRC_COLOR,[Uu]:i.ONE_MINUS_SRC_ALPHA,[Nm]:i.ONE_MINUS_DST_COLOR,
+[Im]:i.ONE_MINUS_DST_ALPHA,[Um]:i.CONSTANT_COLOR,[Fm]:i.ONE_MINUS_CONSTANT_COLOR,[Om]:i.CONSTANT_ALPHA,[Bm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
+if(O===tr){g===!0&&(He(i.BLEND),g=!1);return}if(g===!1&&(Me(i.BLEND),g=!0),O!==bm){if(O!==m||Oe!==P){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
+Oe)switch(O){case oo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFunc(i.ONE,i.ONE);break;case Lu:i.blendFuncSeparate(
+i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Nu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
+id blending: ",O);break}else switch(O){case oo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFuncSeparate(
+i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Lu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Nu:Ke("WebGLState: Mul\
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,b=null,S=null,_=null,M.set(0,0,0),
-P=0,g=O,R=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
-et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==P)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),P=le),g=O,R=!1}function Ut(O,re){O.side===
-zi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===Bn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(tr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
+R=0,m=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
+et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),m=O,P=!1}function Ut(O,re){O.side===
+zi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(tr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
 a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?Me(i.SAMPLE_ALPHA_TO_COVERAGE):
-He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){I!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),I=O)}function Pt(O){O!==_m?(Me(i.CULL_FACE),O!==F&&(O===Ru?i.cullFace(
-i.BACK):O===xm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(Me(i.
+He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){I!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),I=O)}function Pt(O){O!==xm?(Me(i.CULL_FACE),O!==F&&(O===Pu?i.cullFace(
+i.BACK):O===ym?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(Me(i.
 POLYGON_OFFSET_FILL),(D!==re||G!==ne)&&(D=re,G=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):He(i.POLYGON_OFFSET_FILL)}function cn(O){O?Me(i.SCISSOR_TEST):
 He(i.SCISSOR_TEST)}function $t(O){O===void 0&&(O=i.TEXTURE0+Y-1),Q!==O&&(i.activeTexture(O),Q=O)}function en(O,re,ne){ne===void 0&&(Q===null?ne=i.TEXTURE0+Y-1:ne=
 Q);let we=se[ne];we===void 0&&(we={type:void 0,texture:void 0},se[ne]=we),(we.type!==O||we.texture!==re)&&(Q!==ne&&(i.activeTexture(ne),Q=ne),i.bindTexture(O,re||
@@ -3251,17 +3251,17 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),P=0,R=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+p=[],y=null,g=!1,m=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
-texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function _w(i,e,t,n,s,r,o){
+texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function yw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Ho("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function m(L,T){return g?new OffscreenCanvas(L,T):Ho("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
 $)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
+void 0&&(h=m(_e,ye));let te=T?m(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in L&&qe("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
 )."),L;return L}function w(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
 i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function S(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
@@ -3280,10 +3280,10 @@ getTransfer(oe);$===i.FLOAT&&(te=i.RGBA32F),$===i.HALF_FLOAT&&(te=i.RGBA16F),$==
 i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function _(L,T){let $;return L?T===null||T===
 Mi||T===sr?$=i.DEPTH24_STENCIL8:T===ui?$=i.DEPTH32F_STENCIL8:T===lo&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
 il. Using 24-bit attachment.")):T===null||T===Mi||T===sr?$=i.DEPTH_COMPONENT24:T===ui?$=i.DEPTH_COMPONENT32F:T===lo&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return w(
-L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==Fn?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
-Array.isArray(L.image)?T.mipmaps.length:1}function P(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),y.register(L,T,T)}function R(L){let T=n.get(L).__ref;T!==
-void 0&&(p.delete(T),y.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),R(L),Y(L),L.isVideoTexture&&
-d.delete(L),L.isHTMLTexture&&u.delete(L)}function D(L){L.removeEventListener("dispose",F),R(L),ce(L)}function G(){for(let L of p){let T=L.deref();T!==void 0&&(T.
+L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==On?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
+Array.isArray(L.image)?T.mipmaps.length:1}function R(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),y.register(L,T,T)}function P(L){let T=n.get(L).__ref;T!==
+void 0&&(p.delete(T),y.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),P(L),Y(L),L.isVideoTexture&&
+d.delete(L),L.isHTMLTexture&&u.delete(L)}function D(L){L.removeEventListener("dispose",F),P(L),ce(L)}function G(){for(let L of p){let T=L.deref();T!==void 0&&(T.
 isRenderTarget===!0?D(T):z(T))}p.clear(),u.clear()}function Y(L){let T=n.get(L);if(T.__webglInit===void 0)return;let $=L.source,he=f.get($);if(he){let oe=he[T.__cacheKey];
 oe.usedTimes--,oe.usedTimes===0&&W(L),Object.keys(he).length===0&&f.delete($)}n.remove(L)}function W(L){let T=n.get(L);i.deleteTexture(T.__webglTexture);let $=L.
 source,he=f.get($);delete he[T.__cacheKey],o.memory.textures--}function ce(L){let T=n.get(L);T.__depthDisposeCallback&&T.__depthDisposeCallback();let $=L.depthTexture;
@@ -3303,17 +3303,17 @@ or update but image is incomplete");else{Ut($,L,T);return}}else L.isExternalText
 $.__webglTexture,i.TEXTURE0+T)}function xe(L,T){let $=n.get(L);if(L.isRenderTargetTexture===!1&&L.version>0&&$.__version!==L.version){Ut($,L,T);return}else L.isExternalTexture&&
 ($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,$.__webglTexture,i.TEXTURE0+T)}function Ee(L,T){let $=n.get(L);if(L.isRenderTargetTexture===
 !1&&L.version>0&&$.__version!==L.version){Ut($,L,T);return}t.bindTexture(i.TEXTURE_3D,$.__webglTexture,i.TEXTURE0+T)}function Me(L,T){let $=n.get(L);if(L.version>
-0&&$.__version!==L.version){Qt($,L,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,$.__webglTexture,i.TEXTURE0+T)}let He={[Al]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[El]:i.MIRRORED_REPEAT},
-nt={[Mn]:i.NEAREST,[zm]:i.NEAREST_MIPMAP_NEAREST,[pa]:i.NEAREST_MIPMAP_LINEAR,[Fn]:i.LINEAR,[nc]:i.LINEAR_MIPMAP_NEAREST,[us]:i.LINEAR_MIPMAP_LINEAR},Ve={[Wm]:i.
-NEVER,[Ku]:i.ALWAYS,[Xm]:i.LESS,[Zu]:i.LEQUAL,[$m]:i.EQUAL,[Ju]:i.GEQUAL,[qm]:i.GREATER,[Ym]:i.NOTEQUAL};function ut(L,T){if(T.type===ui&&e.has("OES_texture_flo\
-at_linear")===!1&&(T.magFilter===Fn||T.magFilter===nc||T.magFilter===pa||T.magFilter===us||T.minFilter===Fn||T.minFilter===nc||T.minFilter===pa||T.minFilter===us)&&
+0&&$.__version!==L.version){Qt($,L,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,$.__webglTexture,i.TEXTURE0+T)}let He={[El]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Cl]:i.MIRRORED_REPEAT},
+nt={[Mn]:i.NEAREST,[Vm]:i.NEAREST_MIPMAP_NEAREST,[pa]:i.NEAREST_MIPMAP_LINEAR,[On]:i.LINEAR,[ic]:i.LINEAR_MIPMAP_NEAREST,[us]:i.LINEAR_MIPMAP_LINEAR},Ve={[Xm]:i.
+NEVER,[ju]:i.ALWAYS,[$m]:i.LESS,[Ju]:i.LEQUAL,[qm]:i.EQUAL,[Ku]:i.GEQUAL,[Ym]:i.GREATER,[Zm]:i.NOTEQUAL};function ut(L,T){if(T.type===ui&&e.has("OES_texture_flo\
+at_linear")===!1&&(T.magFilter===On||T.magFilter===ic||T.magFilter===pa||T.magFilter===us||T.minFilter===On||T.minFilter===ic||T.minFilter===pa||T.minFilter===us)&&
 qe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(L,i.TEXTURE_WRAP_S,
 He[T.wrapS]),i.texParameteri(L,i.TEXTURE_WRAP_T,He[T.wrapT]),(L===i.TEXTURE_3D||L===i.TEXTURE_2D_ARRAY)&&i.texParameteri(L,i.TEXTURE_WRAP_R,He[T.wrapR]),i.texParameteri(
 L,i.TEXTURE_MAG_FILTER,nt[T.magFilter]),i.texParameteri(L,i.TEXTURE_MIN_FILTER,nt[T.minFilter]),T.compareFunction&&(i.texParameteri(L,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
 i.texParameteri(L,i.TEXTURE_COMPARE_FUNC,Ve[T.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(T.magFilter===Mn||T.minFilter!==pa&&T.minFilter!==
 us||T.type===ui&&e.has("OES_texture_float_linear")===!1)return;if(T.anisotropy>1||n.get(T).__currentAnisotropy){let $=e.get("EXT_texture_filter_anisotropic");i.
 texParameterf(L,$.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(T.anisotropy,s.getMaxAnisotropy())),n.get(T).__currentAnisotropy=T.anisotropy}}}function lt(L,T){let $=!1;
-L.__webglInit===void 0&&(L.__webglInit=!0,T.addEventListener("dispose",I),P(T));let he=T.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(T);if(_e!==
+L.__webglInit===void 0&&(L.__webglInit=!0,T.addEventListener("dispose",I),R(T));let he=T.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(T);if(_e!==
 L.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,$=!0),oe[_e].usedTimes++;let ye=oe[L.__cacheKey];ye!==void 0&&
 (oe[L.__cacheKey].usedTimes--,ye.usedTimes===0&&W(T)),L.__cacheKey=_e,L.__webglTexture=oe[_e].texture}return $}function et(L,T,$){return Math.floor(Math.floor(L/
 $)/T)}function Gt(L,T,$,he){let _e=L.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,T.width,T.height,$,he,T.data);else{_e.sort((O,re)=>O.start-
@@ -3334,7 +3334,7 @@ i.TEXTURE_2D,Ze,re,we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le+
 data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,ne.data);T.generateMipmaps=!1}else ge?(be&&t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height),
 Ge&&Gt(T,ie,pe,O)):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,ie.data);else if(T.isCompressedTexture)if(T.isCompressedArrayTexture){ge&&be&&t.texStorage3D(
 i.TEXTURE_2D_ARRAY,Ze,re,we[0].width,we[0].height,ie.depth);for(let le=0,Oe=we.length;le<Oe;le++)if(ne=we[le],T.format!==wi)if(pe!==null)if(ge){if(Ge)if(T.layerUpdates.
-size>0){let Je=sd(ne.width,ne.height,T.format,T.type);for(let Ce of T.layerUpdates){let ot=ne.data.subarray(Ce*Je/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Je/ne.data.BYTES_PER_ELEMENT);
+size>0){let Je=rd(ne.width,ne.height,T.format,T.type);for(let Ce of T.layerUpdates){let ot=ne.data.subarray(Ce*Je/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Je/ne.data.BYTES_PER_ELEMENT);
 t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,Ce,ne.width,ne.height,1,pe,ot)}}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,
 ie.depth,pe,ne.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,ne.data,0,0);else qe("WebGLRenderer: Attempt to load uns\
 upported compressed texture format in .uploadTexture()");else ge?Ge&&t.texSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,ie.depth,pe,O,ne.data):t.texImage3D(
@@ -3342,7 +3342,7 @@ i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,pe,O,ne.data);T.layerUpda
 we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],T.format!==wi?pe!==null?ge?Ge&&t.compressedTexSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.
 height,pe,ne.data):t.compressedTexImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,ne.data):qe("WebGLRenderer: Attempt to load unsupported compressed texture for\
 mat in .uploadTexture()"):ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,
-ne.data)}else if(T.isDataArrayTexture)if(ge){if(be&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Ze,re,ie.width,ie.height,ie.depth),Ge)if(T.layerUpdates.size>0){let le=sd(
+ne.data)}else if(T.isDataArrayTexture)if(ge){if(be&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Ze,re,ie.width,ie.height,ie.depth),Ge)if(T.layerUpdates.size>0){let le=rd(
 ie.width,ie.height,T.format,T.type);for(let Oe of T.layerUpdates){let Je=ie.data.subarray(Oe*le/ie.data.BYTES_PER_ELEMENT,(Oe+1)*le/ie.data.BYTES_PER_ELEMENT);t.
 texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Oe,ie.width,ie.height,1,pe,O,Je)}T.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,
 ie.depth,pe,O,ie.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,re,ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(T.isData3DTexture)ge?(be&&t.texStorage3D(i.
@@ -3370,8 +3370,8 @@ i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,be,Ft.width,Ft.height,0,Ft.data):qe("WebGLRe
 ()"):Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,ge,Ft.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,be,Ft.width,
 Ft.height,0,we,ge,Ft.data)}}}else{if(Je=T.mipmaps,Ge&&Ze){Je.length>0&&Oe++;let Ce=Xe(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,Ce.width,Ce.height)}for(let Ce=0;Ce<
 6;Ce++)if(O){Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,re[Ce].width,re[Ce].height,we,ge,re[Ce].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let Rn=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,ot+1,0,0,Rn.width,Rn.height,we,ge,Rn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,Rn.width,Rn.height,0,we,ge,Rn.data)}}else{Ge?le&&t.texSubImage2D(
+Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let Pn=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
+Ce,ot+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
 i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
 Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,we,ge,Ft.image[Ce])}}}
 w(T)&&T.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}L.__version=T.version}function Pt(L,T,$,he,oe,_e){let ye=r.
@@ -3401,7 +3401,7 @@ bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i
 T.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer),T.__webglDepthbuffer===void 0)T.__webglDepthbuffer=i.createRenderbuffer(),gn(T.__webglDepthbuffer,
 L,!1);else{let oe=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(
 i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function $t(L,T,$){let he=n.get(L);T!==void 0&&Pt(he.__webglFramebuffer,L,L.texture,i.
-COLOR_ATTACHMENT0,i.TEXTURE_2D,0),$!==void 0&&cn(L)}function en(L){let T=L.texture,$=n.get(L),he=n.get(T);L.addEventListener("dispose",F),P(L);let oe=L.textures,
+COLOR_ATTACHMENT0,i.TEXTURE_2D,0),$!==void 0&&cn(L)}function en(L){let T=L.texture,$=n.get(L),he=n.get(T);L.addEventListener("dispose",F),R(L);let oe=L.textures,
 _e=L.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=T.version,o.memory.textures++),
 _e){$.__webglFramebuffer=[];for(let te=0;te<6;te++)if(T.mipmaps.length>0){$.__webglFramebuffer[te]=[];for(let ie=0;ie<T.mipmaps.length;ie++)$.__webglFramebuffer[te][ie]=
 i.createFramebuffer()}else $.__webglFramebuffer[te]=i.createFramebuffer()}else{if(T.mipmaps.length>0){$.__webglFramebuffer=[];for(let te=0;te<T.mipmaps.length;te++)
@@ -3441,49 +3441,49 @@ LTextures: Unsupported texture color space:",$)),T}function Xe(L){return typeof 
 c.height=L.naturalHeight||L.height):typeof VideoFrame<"u"&&L instanceof VideoFrame?(c.width=L.displayWidth,c.height=L.displayHeight):(c.width=L.width,c.height=L.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
 setTexture3D=Ee,this.setTextureCube=Me,this.rebindTextures=$t,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=$e,this.
-setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function xw(i,e){function t(n,s=fs){let r,o=_t.getTransfer(s);
-if(n===Hn)return i.UNSIGNED_BYTE;if(n===sc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===rc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Xu)return i.UNSIGNED_INT_5_9_9_9_REV;
-if(n===$u)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Hu)return i.BYTE;if(n===Wu)return i.SHORT;if(n===lo)return i.UNSIGNED_SHORT;if(n===ic)return i.INT;if(n===
-Mi)return i.UNSIGNED_INT;if(n===ui)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===qu)return i.ALPHA;if(n===Yu)return i.RGB;if(n===wi)return i.RGBA;if(n===rs)
-return i.DEPTH_COMPONENT;if(n===ds)return i.DEPTH_STENCIL;if(n===oc)return i.RED;if(n===ac)return i.RED_INTEGER;if(n===Os)return i.RG;if(n===lc)return i.RG_INTEGER;
-if(n===cc)return i.RGBA_INTEGER;if(n===ma||n===ga||n===_a||n===xa)if(o===At)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===ma)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;
+setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function vw(i,e){function t(n,s=fs){let r,o=_t.getTransfer(s);
+if(n===Hn)return i.UNSIGNED_BYTE;if(n===rc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===oc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===$u)return i.UNSIGNED_INT_5_9_9_9_REV;
+if(n===qu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Wu)return i.BYTE;if(n===Xu)return i.SHORT;if(n===lo)return i.UNSIGNED_SHORT;if(n===sc)return i.INT;if(n===
+Mi)return i.UNSIGNED_INT;if(n===ui)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Yu)return i.ALPHA;if(n===Zu)return i.RGB;if(n===wi)return i.RGBA;if(n===rs)
+return i.DEPTH_COMPONENT;if(n===ds)return i.DEPTH_STENCIL;if(n===ac)return i.RED;if(n===lc)return i.RED_INTEGER;if(n===Os)return i.RG;if(n===cc)return i.RG_INTEGER;
+if(n===hc)return i.RGBA_INTEGER;if(n===ma||n===ga||n===_a||n===xa)if(o===At)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===ma)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;
 if(n===ga)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===_a)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===xa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else
 return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===ma)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===ga)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;
-if(n===_a)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===xa)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===hc||n===uc||n===dc||n===fc)if(r=e.get(
-"WEBGL_compressed_texture_pvrtc"),r!==null){if(n===hc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===uc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===dc)return r.
-COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===fc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===pc||n===mc||n===gc||n===_c||n===xc||n===ya||n===yc)
-if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(n===pc||n===mc)return o===At?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(n===gc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:
-r.COMPRESSED_RGBA8_ETC2_EAC;if(n===_c)return r.COMPRESSED_R11_EAC;if(n===xc)return r.COMPRESSED_SIGNED_R11_EAC;if(n===ya)return r.COMPRESSED_RG11_EAC;if(n===yc)
-return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(n===vc||n===bc||n===Mc||n===Sc||n===wc||n===Tc||n===Ac||n===Ec||n===Cc||n===Rc||n===Pc||n===Ic||n===Lc||
-n===Nc)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(n===vc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===
-bc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===Mc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;
-if(n===Sc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===wc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;
-if(n===Tc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(n===Ac)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;
-if(n===Ec)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===Cc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.
-COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===Rc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===Pc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:
-r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===Ic)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===Lc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:
-r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Nc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===Dc||n===
-Uc||n===Fc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Dc)return o===At?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;
-if(n===Uc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Fc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Oc||n===Bc||n===va||n===
-kc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Oc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Bc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===va)
-return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===kc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===sr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
-i[n]:null}return{convert:t}}var yw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",vw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
+if(n===_a)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===xa)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===uc||n===dc||n===fc||n===pc)if(r=e.get(
+"WEBGL_compressed_texture_pvrtc"),r!==null){if(n===uc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===dc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===fc)return r.
+COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===pc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===mc||n===gc||n===_c||n===xc||n===yc||n===ya||n===vc)
+if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(n===mc||n===gc)return o===At?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(n===_c)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:
+r.COMPRESSED_RGBA8_ETC2_EAC;if(n===xc)return r.COMPRESSED_R11_EAC;if(n===yc)return r.COMPRESSED_SIGNED_R11_EAC;if(n===ya)return r.COMPRESSED_RG11_EAC;if(n===vc)
+return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(n===bc||n===Mc||n===Sc||n===wc||n===Tc||n===Ac||n===Ec||n===Cc||n===Rc||n===Pc||n===Ic||n===Lc||n===Nc||
+n===Dc)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(n===bc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===
+Mc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===Sc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;
+if(n===wc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===Tc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;
+if(n===Ac)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(n===Ec)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;
+if(n===Cc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===Rc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.
+COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===Pc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===Ic)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:
+r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===Lc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===Nc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:
+r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Dc)return o===At?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===Uc||n===
+Fc||n===Oc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Uc)return o===At?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;
+if(n===Fc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Oc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Bc||n===kc||n===va||n===
+zc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Bc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===kc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===va)
+return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===zc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===sr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
+i[n]:null}return{convert:t}}var bw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",Mw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
-\n}",fd=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new jo(e.texture);(e.depthNear!==
+\n}",pd=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new jo(e.texture);(e.depthNear!==
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
-let t=e.cameras[0].viewport,n=new ki({vertexShader:yw,fragmentShader:vw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
-this.mesh=new hi(new ta(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},pd=class extends Oi{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",m=new fd,g={},x=t.getContextAttributes(),
-w=null,b=null,C=[],S=[],_=new st,M=null,P=null,R=new Un;R.viewport=new Wt;let I=new Un;I.viewport=new Wt;let F=[R,I],z=new jl,D=null,G=null;this.cameraAutoUpdate=
+let t=e.cameras[0].viewport,n=new ki({vertexShader:bw,fragmentShader:Mw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
+this.mesh=new hi(new ta(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},md=class extends Oi{constructor(e,t){
+super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",g=new pd,m={},x=t.getContextAttributes(),
+w=null,b=null,C=[],S=[],_=new st,M=null,R=null,P=new Fn;P.viewport=new Wt;let I=new Fn;I.viewport=new Wt;let F=[P,I],z=new Ql,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=
 me),me.getHandSpace()};function Y(ee){let me=S.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,m.reset();for(let ee in g)delete g[ee];
-if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),P!==null){let ee=P.camera;
-ee.fov=P.fov,ee.zoom=P.zoom,ee.updateProjectionMatrix(),P=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,g.reset();for(let ee in m)delete m[ee];
+if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),R!==null){let ee=R.camera;
+ee.fov=R.fov,ee.zoom=R.zoom,ee.updateProjectionMatrix(),R=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&qe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&qe("WebXRManager: C\
 annot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=
 function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return p},this.getSession=
@@ -3499,92 +3499,92 @@ antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=n
 setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:x.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
 ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
-{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};
 function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=S.indexOf(xe);Ee>=0&&(S[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
 length;me++){let xe=ee.added[me],Ee=S.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=S.length){S.push(xe),Ee=He;break}else if(S[He]===null){S[He]=
 xe,Ee=He;break}if(Ee===-1)break}let Me=C[Ee];Me&&Me.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
-ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;m.texture!==null&&(m.depthNear>
-0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),z.near=I.near=R.near=me,z.far=I.far=R.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
-depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,R.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
-z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(R.projectionMatrix),z.projectionMatrixInverse.copy(R.projectionMatrixInverse),P===null&&
-ee.isPerspectiveCamera&&(P={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
+ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;g.texture!==null&&(g.depthNear>
+0&&(me=g.depthNear),g.depthFar>0&&(xe=g.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,P.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
+z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(P.projectionMatrix),z.projectionMatrixInverse.copy(P.projectionMatrixInverse),R===null&&
+ee.isPerspectiveCamera&&(R={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
-me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Rl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
+me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Pl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
-fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=
-function(){return m.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
+fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=
+function(){return g.getMesh(z)},this.getCameraTexture=function(ee){return m[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
 views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
 xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
-colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new Un,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
+colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new Fn,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
 Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
-xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
-length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new jo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
-let Ee=S[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Ag;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},bw=new xt,Fg=new Qe;Fg.set(-1,0,0,0,1,0,0,0,1);function Mw(i,e){function t(m,g){
-m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,td(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
-value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,x,w,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
-(r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
-value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(m,g),h(m,g),g.isMeshPhysicalMaterial&&f(m,g,b)):g.isMeshMatcapMaterial?(r(m,g),p(m,g)):g.isMeshDepthMaterial?
-r(m,g):g.isMeshDistanceMaterial?(r(m,g),y(m,g)):g.isMeshNormalMaterial?r(m,g):g.isLineBasicMaterial?(o(m,g),g.isLineDashedMaterial&&a(m,g)):g.isPointsMaterial?l(
-m,g,x,w):g.isSpriteMaterial?c(m,g):g.isShadowMaterial?(m.color.value.copy(g.color),m.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(m,g){
-m.opacity.value=g.opacity,g.color&&m.diffuse.value.copy(g.color),g.emissive&&m.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(m.map.
-value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.bumpMap&&(m.bumpMap.value=g.bumpMap,t(g.bumpMap,
-m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===Bn&&(m.bumpScale.value*=-1)),g.normalMap&&(m.normalMap.value=g.normalMap,t(g.normalMap,m.normalMapTransform),
-m.normalScale.value.copy(g.normalScale),g.side===Bn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
-m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
-t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
-value=g.alphaTest);let x=e.get(g),w=x.envMap,b=x.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(bw.makeRotationFromEuler(b)).transpose(),
-w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Fg),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
-g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
-g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
-value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,x,w){
-m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,m.size.value=g.size*x,m.scale.value=w*.5,g.map&&(m.map.value=g.map,t(g.map,m.uvTransform)),g.alphaMap&&(m.
-alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function c(m,g){m.diffuse.value.copy(g.color),m.opacity.
-value=g.opacity,m.rotation.value=g.rotation,g.map&&(m.map.value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),
-g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function d(m,g){m.specular.value.copy(g.specular),m.shininess.value=Math.max(g.shininess,1e-4)}function u(m,g){g.
-gradientMap&&(m.gradientMap.value=g.gradientMap)}function h(m,g){m.metalness.value=g.metalness,g.metalnessMap&&(m.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
-m.metalnessMapTransform)),m.roughness.value=g.roughness,g.roughnessMap&&(m.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,m.roughnessMapTransform)),g.envMap&&
-(m.envMapIntensity.value=g.envMapIntensity)}function f(m,g,x){m.ior.value=g.ior,g.diffuseRoughness>0&&(m.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
-(m.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),g.sheen>0&&(m.sheenColor.value.copy(g.sheenColor).multiplyScalar(
-g.sheen),m.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(m.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,m.sheenColorMapTransform)),g.sheenRoughnessMap&&
-(m.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,m.sheenRoughnessMapTransform))),g.clearcoat>0&&(m.clearcoat.value=g.clearcoat,m.clearcoatRoughness.
-value=g.clearcoatRoughness,g.clearcoatMap&&(m.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,m.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.
-value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(m.clearcoatNormalMap.value=g.clearcoatNormalMap,
-t(g.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===Bn&&m.clearcoatNormalScale.value.negate())),
-g.dispersion>0&&(m.dispersion.value=g.dispersion),g.retroreflectivity>0&&(m.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(m.iridescence.value=g.
-iridescence,m.iridescenceIOR.value=g.iridescenceIOR,m.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
-g.iridescenceMap&&(m.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,m.iridescenceMapTransform)),g.iridescenceThicknessMap&&(m.iridescenceThicknessMap.
-value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),g.transmission>0&&(m.transmission.value=g.transmission,m.transmissionSamplerMap.
-value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),g.transmissionMap&&(m.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,m.transmissionMapTransform)),
-m.thickness.value=g.thickness,g.thicknessMap&&(m.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=g.attenuationDistance,
-m.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(m.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
-g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=g.specularIntensity,
-m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
-g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
-(m.matcap.value=g.matcap)}function y(m,g){let x=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.
-near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Sw(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
-n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",m));let C=w.program;n.updateUBOMapping(
+xe[0]);Ve&&Ve.isValid&&Ve.texture&&g.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
+length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=m[ut];lt||(lt=new jo,m[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
+let Ee=S[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Eg;
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Sw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function ww(i,e){function t(g,m){
+g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function n(g,m){m.color.getRGB(g.fogColor.value,nd(i)),m.isFog?(g.fogNear.value=m.near,g.fogFar.
+value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,x,w,b){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?
+(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),u(g,m)):m.isMeshPhongMaterial?(r(g,m),d(g,m),m.envMap&&(g.envMapIntensity.
+value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),h(g,m),m.isMeshPhysicalMaterial&&f(g,m,b)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?
+r(g,m):m.isMeshDistanceMaterial?(r(g,m),y(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(
+g,m,x,w):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){
+g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.
+value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,
+g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===kn&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),
+g.normalScale.value.copy(m.normalScale),m.side===kn&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,
+g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,
+t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.
+value=m.alphaTest);let x=e.get(m),w=x.envMap,b=x.envMapRotation;w&&(g.envMap.value=w,g.envMapRotation.value.setFromMatrix4(Sw.makeRotationFromEuler(b)).transpose(),
+w.isCubeTexture&&w.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Og),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=
+m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=
+m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.
+value=m.map,t(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,x,w){
+g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*x,g.scale.value=w*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.
+alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.
+value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),
+m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function d(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function u(g,m){m.
+gradientMap&&(g.gradientMap.value=m.gradientMap)}function h(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,
+g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&
+(g.envMapIntensity.value=m.envMapIntensity)}function f(g,m,x){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&
+(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(
+m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&
+(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.
+value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.
+value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,
+t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===kn&&g.clearcoatNormalScale.value.negate())),
+m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.
+iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,
+m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.
+value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.
+value=x.texture,g.transmissionSamplerSize.value.set(x.width,x.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),
+g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,
+g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(
+m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,
+g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),
+m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&
+(g.matcap.value=m.matcap)}function y(g,m){let x=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(x.matrixWorld),g.nearDistance.value=x.shadow.camera.
+near,g.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Tw(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
+n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",g));let C=w.program;n.updateUBOMapping(
 x,C);let S=e.render.frame;r[x.id]!==S&&(c(x),r[x.id]=S)}function l(x){let w=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
 i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(x){let w=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let S=0,_=b.
-length;S<_;S++){let M=b[S];if(Array.isArray(M))for(let P=0,R=M.length;P<R;P++)d(M[P],S,P,C);else d(M,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,w,b,C){
-if(h(x,w,b,C)===!0){let S=x.__offset,_=x.value;if(Array.isArray(_)){let M=0;for(let P=0;P<_.length;P++){let R=_[P],I=y(R,!0);u(R,x.__data,M),M+=I.storage/Float32Array.
+length;S<_;S++){let M=b[S];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],S,R,C);else d(M,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,w,b,C){
+if(h(x,w,b,C)===!0){let S=x.__offset,_=x.value;if(Array.isArray(_)){let M=0;for(let R=0;R<_.length;R++){let P=_[R],I=y(P,!0);u(P,x.__data,M),M+=I.storage/Float32Array.
 BYTES_PER_ELEMENT}}else u(_,x.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,S,x.__data)}}function u(x,w,b){typeof x=="number"||typeof x=="boolean"?w[b]=x:x.isMatrix3?
 (w[b]=x.elements[0],w[b+1]=x.elements[1],w[b+2]=x.elements[2],w[b+3]=0,w[b+4]=x.elements[3],w[b+5]=x.elements[4],w[b+6]=x.elements[5],w[b+7]=0,w[b+8]=x.elements[6],
 w[b+9]=x.elements[7],w[b+10]=x.elements[8],w[b+11]=0):ArrayBuffer.isView(x)?w.set(x.subarray(0,w.length-b),b):x.toArray(w,b)}function h(x,w,b,C){let S=x.value,_=w+
-"_"+b;if(Array.isArray(S)){C[_]===void 0&&(C[_]=[]);let M=C[_],P=!1;for(let R=0;R<S.length;R++)f(S[R],M,R)===!0&&(P=!0);return P}return f(S,C,_)}function f(x,w,b){
+"_"+b;if(Array.isArray(S)){C[_]===void 0&&(C[_]=[]);let M=C[_],R=!1;for(let P=0;P<S.length;P++)f(S[P],M,P)===!0&&(R=!0);return R}return f(S,C,_)}function f(x,w,b){
 if(w[b]===void 0)return typeof x=="number"||typeof x=="boolean"?w[b]=x:ArrayBuffer.isView(x)?w[b]=x.slice():w[b]=x.clone(),!0;{let C=w[b];if(typeof x=="number"||
 typeof x=="boolean"){if(C!==x)return w[b]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function p(x){let w=x.uniforms,
-b=0,C=16;for(let _=0,M=w.length;_<M;_++){let P=Array.isArray(w[_])?w[_]:[w[_]];for(let R=0,I=P.length;R<I;R++){let F=P[R],z=Array.isArray(F.value)?F.value:[F.value],
+b=0,C=16;for(let _=0,M=w.length;_<M;_++){let R=Array.isArray(w[_])?w[_]:[w[_]];for(let P=0,I=R.length;P<I;P++){let F=R[P],z=Array.isArray(F.value)?F.value:[F.value],
 D=Array.isArray(w[_])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
 (b+=C-ue),W===0&&(G=b),b+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((b-G)/Float32Array.BYTES_PER_ELEMENT),
 F.__offset=G}}let S=b%C;return S>0&&(b+=C-S),x.__size=b,x.__cache={},this}function y(x,w){let b={boundary:0,storage:0};return typeof x=="number"||typeof x=="boo\
 lean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=
 16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
 orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),w===!0&&(b.boundary=16,b.storage=
-Math.ceil(b.storage/16)*16),b}function m(x){let w=x.target;w.removeEventListener("dispose",m),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
-for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}var ww=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+Math.ceil(b.storage/16)*16),b}function g(x){let w=x.target;w.removeEventListener("dispose",g),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function m(){
+for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}var Aw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3602,51 +3602,51 @@ for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}
 5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
-1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function Tw(){return Gi===null&&(Gi=new Yo(ww,16,16,Os,Si),Gi.name="DFG_LUT",Gi.minFilter=
-Fn,Gi.magFilter=Fn,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Wc=class{constructor(e={}){let{canvas:t=Jm(),context:n=null,depth:s=!0,
+1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function Ew(){return Gi===null&&(Gi=new Yo(Aw,16,16,Os,Si),Gi.name="DFG_LUT",Gi.minFilter=
+On,Gi.magFilter=On,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Xc=class{constructor(e={}){let{canvas:t=Km(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,m=new Set([cc,lc,ac]),g=new Set([Hn,Mi,lo,sr,sc,rc]),
-x=new Uint32Array(4),w=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,S=null,_=[],M=[],P=null;this.domElement=t,this.debug={checkShaderErrors:!0,
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,g=new Set([hc,cc,lc]),m=new Set([Hn,Mi,lo,sr,rc,oc]),
+x=new Uint32Array(4),w=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,S=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
-clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,I=!1,F=null,z=null,D=null,
+clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,I=!1,F=null,z=null,D=null,
 G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,Me=1,He=null,nt=null,Ve=new Wt(
-0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Rs,Gt=new Nl,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
+0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Rs,Gt=new Dl,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
 isScene:!0},$t=!1;function en(){return ce===null?Me:1}let B=n;function Re(E,k){return t.getContext(E,k)}let $e,it,Se,Lt,ze,Xe,L,T,$,he,oe,_e,ye,te,ie,pe,O,re,ne,
 we,ge,be,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("\
 setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Oe,!1),t.addEventListener("webglcontextrestore\
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
-E}function Ze(){$e=new FM(B),$e.init(),ge=new xw(B,$e),it=new TM(B,$e,e,ge),Se=new gw(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new kM(B),ze=new nw,Xe=new _w(B,$e,Se,ze,it,ge,Lt),L=new UM(R),T=new Vy(B),be=new SM(B,T),$=new OM(B,T,Lt,be),
-he=new VM(B,$,T,be,Lt),re=new zM(B,it,Xe),ie=new AM(ze),oe=new tw(R,L,$e,it,be,ie),_e=new Mw(R,ze),ye=new sw,te=new hw($e),O=new MM(R,L,Se,he,p,l),pe=new mw(R,he,
-it),Ge=new Sw(B,Lt,it,Se),ne=new wM(B,$e,Lt),we=new BM(B,$e,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=$e,R.properties=ze,R.renderLists=ye,R.shadowMap=
-pe,R.state=Se,R.info=Lt}y!==Hn&&(P=new HM(y,t.width,t.height,a,s,r));let le=new pd(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+E}function Ze(){$e=new BM(B),$e.init(),ge=new vw(B,$e),it=new EM(B,$e,e,ge),Se=new xw(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
+D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new VM(B),ze=new sw,Xe=new yw(B,$e,Se,ze,it,ge,Lt),L=new OM(P),T=new Hy(B),be=new TM(B,T),$=new kM(B,T,Lt,be),
+he=new HM(B,$,T,be,Lt),re=new GM(B,it,Xe),ie=new CM(ze),oe=new iw(P,L,$e,it,be,ie),_e=new ww(P,ze),ye=new ow,te=new dw($e),O=new wM(P,L,Se,he,p,l),pe=new _w(P,he,
+it),Ge=new Tw(B,Lt,it,Se),ne=new AM(B,$e,Lt),we=new zM(B,$e,Lt),Lt.programs=oe.programs,P.capabilities=it,P.extensions=$e,P.properties=ze,P.renderLists=ye,P.shadowMap=
+pe,P.state=Se,P.info=Lt}y!==Hn&&(R=new XM(y,t.width,t.height,a,s,r));let le=new md(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=$e.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
 let E=$e.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(E){E!==void 0&&(Me=E,this.setSize(
 xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){qe("WebGLRenderer: Can't change size while VR devi\
-ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*Me),t.height=Math.floor(k*Me),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),P!==null&&P.setSize(
+ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*Me),t.height=Math.floor(k*Me),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),R!==null&&R.setSize(
 t.width,t.height),this.setViewport(0,0,E,k)},this.getDrawingBufferSize=function(E){return E.set(xe*Me,Ee*Me).floor()},this.setDrawingBufferSize=function(E,k,j){
 xe=E,Ee=k,Me=j,t.width=Math.floor(E*j),t.height=Math.floor(k*j),this.setViewport(0,0,E,k)},this.setEffects=function(E){if(y===Hn){Ke("WebGLRenderer: setEffects(\
 ) requires outputBufferType set to HalfFloatType or FloatType.");return}if(E){for(let k=0;k<E.length;k++)if(E[k].isOutputPass===!0){qe("WebGLRenderer: OutputPas\
-s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}P.setEffects(E||[])},this.getCurrentViewport=function(E){
+s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}R.setEffects(E||[])},this.getCurrentViewport=function(E){
 return E.copy(se)},this.getViewport=function(E){return E.copy(Ve)},this.setViewport=function(E,k,j,q){E.isVector4?Ve.set(E.x,E.y,E.z,E.w):Ve.set(E,k,j,q),Se.viewport(
 se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.copy(ut)},this.setScissor=function(E,k,j,q){E.isVector4?ut.set(E.x,E.y,E.z,E.w):
 ut.set(E,k,j,q),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
-clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=m.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
+clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=g.has(Te)}if(Z){let Te=ce.texture.type,Pe=m.has(Te),Ae=O.getClearColor(),
 Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(w[0]=ke,w[1]=je,w[2]=dt,w[3]=Ie,B.clearBufferiv(
 B.COLOR,0,w))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
 setMask(4294967295)),q!==0&&B.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
 this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener(
 "webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),L.dispose(),
-he.dispose(),$.dispose(),be.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Ea),le.removeEventListener("sessionend",Ai),Wi.
-stop()};function Oe(E){E.preventDefault(),Qu("WebGLRenderer: Context Lost."),I=!0}function Je(){Qu("WebGLRenderer: Context Restored."),I=!1;let E=Lt.autoReset,k=pe.
+he.dispose(),$.dispose(),be.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Ca),le.removeEventListener("sessionend",Ai),Wi.
+stop()};function Oe(E){E.preventDefault(),ed("WebGLRenderer: Context Lost."),I=!0}function Je(){ed("WebGLRenderer: Context Restored."),I=!1;let E=Lt.autoReset,k=pe.
 enabled,j=pe.autoUpdate,q=pe.needsUpdate,Z=pe.type;Ze(),Lt.autoReset=E,pe.enabled=k,pe.autoUpdate=j,pe.needsUpdate=q,pe.type=Z}function Ce(E){Ke("WebGLRenderer:\
- A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){Rn(E),ze.
-remove(E)}function Rn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
+ A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){Pn(E),ze.
+remove(E)}function Pn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
 function(E,k,j,q,Z,Te){k===null&&(k=cn);let Pe=Z.isMesh&&Z.matrixWorld.determinantAffine()<0,Ae=yo(E,k,j,q,Z);Se.setMaterial(q,Pe);let Ie=j.index,ke=1;if(q.wireframe===
 !0){if(Ie=$.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
 Math.max(Be,Te.start*ke),ft=Math.min(ft,(Te.start+Te.count)*ke)),Ie!==null?(Be=Math.max(Be,0),ft=Math.min(ft,Ie.count)):dt!=null&&(Be=Math.max(Be,0),ft=Math.min(
@@ -3657,7 +3657,7 @@ setMode(B.TRIANGLES);if(Z.isBatchedMesh)if($e.get("WEBGL_multi_draw"))Ct.renderM
 _multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?T.get(Ie).bytesPerElement:1,$i=ze.get(q).currentProgram.getUniforms();for(let nn=0;nn<tn;nn++)
 $i.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstancedMesh)Ct.renderInstances(Be,Xt,Z.count);else if(j.isInstancedBufferGeometry){let hn=j.
 _maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function go(E,k,j,q){F!==
-null&&E.isNodeMaterial&&F.setObject(q,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===zi&&E.forceSinglePass===!1?(E.side=Bn,E.needsUpdate=!0,Ei(E,k,
+null&&E.isNodeMaterial&&F.setObject(q,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===zi&&E.forceSinglePass===!1?(E.side=kn,E.needsUpdate=!0,Ei(E,k,
 q),E.side=Fs,E.needsUpdate=!0,Ei(E,k,q),E.side=zi):Ei(E,k,q)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),S=te.get(j),S.init(
 k),M.push(S),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
 Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),S.setupLights(),F!==null&&F.updateLights(S.state.lightsArray),Qt=this.localClippingEnabled,
@@ -3665,21 +3665,21 @@ Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlane
 function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];go(
 Ae,j,k,Z),q.add(Ae)}else go(Te,j,k,Z),q.add(Te)}),S=M.pop(),F!==null&&F.renderEnd(),q},this.compileAsync=function(E,k,j=null){let q=this.compile(E,k,j);return new Promise(
 Z=>{function Te(){if(q.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&q.delete(Pe)}),q.size===0){Z(E);return}setTimeout(Te,10)}
-$e.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let hr=null;function lh(E){hr&&hr(E)}function Ea(){Wi.stop()}function Ai(){Wi.start()}let Wi=new Ag;
-Wi.setAnimationLoop(lh),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){hr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
-"sessionstart",Ea),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
-tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,q=P!==null&&(ce===null||j)&&P.begin(R,
+$e.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let hr=null;function ch(E){hr&&hr(E)}function Ca(){Wi.stop()}function Ai(){Wi.start()}let Wi=new Eg;
+Wi.setAnimationLoop(ch),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){hr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
+"sessionstart",Ca),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
+tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,q=R!==null&&(ce===null||j)&&R.begin(P,
 ce);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===
-!0&&(P===null||P.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),S=te.get(E,M.
+!0&&(R===null||R.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(P,E,k,ce),S=te.get(E,M.
 length),S.init(k),S.state.textureUnits=Xe.getTextureUnits(),M.push(S),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
 k):et.setFromProjectionMatrix(Pt,ci,k.reversedDepth),Qt=this.localClippingEnabled,Ut=ie.init(this.clippingPlanes,Qt),C=ye.get(E,_.length),C.init(),_.push(C),this.
-info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Pe=R.xr.getDepthSensingMesh();Pe!==null&&Xi(Pe,k,-1/0,R.sortObjects)}Xi(E,k,0,R.sortObjects),C.finish(),
-F!==null&&F.updateLights(S.state.lightsArray),R.sortObjects===!0&&C.sort(He,nt),$t=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,$t&&O.addToRenderList(
-C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=S.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),(q&&P.hasRenderPass())===
+info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Pe=P.xr.getDepthSensingMesh();Pe!==null&&Xi(Pe,k,-1/0,P.sortObjects)}Xi(E,k,0,P.sortObjects),C.finish(),
+F!==null&&F.updateLights(S.state.lightsArray),P.sortObjects===!0&&C.sort(He,nt),$t=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,$t&&O.addToRenderList(
+C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=S.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),(q&&R.hasRenderPass())===
 !1){let Pe=C.opaque,Ae=C.transmissive;if(S.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
 Pe,Ae,E,dt)}$t&&O.render(E);for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];_o(C,E,dt,dt.viewport)}}else Ae.length>0&&di(Pe,Ae,E,k),$t&&O.render(E),_o(C,E,k)}
-ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),q&&P.end(R),E.isScene===!0&&E.onAfterRender(R,E,k),be.resetDefaultState(),
-K=-1,Q=null,M.pop(),M.length>0?(S=M[M.length-1],Xe.setTextureUnits(S.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,S.state.camera)):S=null,_.pop(),
+ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),q&&R.end(P),E.isScene===!0&&E.onAfterRender(P,E,k),be.resetDefaultState(),
+K=-1,Q=null,M.pop(),M.length>0?(S=M[M.length-1],Xe.setTextureUnits(S.state.textureUnits),Ut===!0&&ie.setGlobalState(P.clippingPlanes,S.state.camera)):S=null,_.pop(),
 _.length>0?C=_[_.length-1]:C=null,F!==null&&F.renderEnd()};function Xi(E,k,j,q){if(E.visible===!1)return;if(E.layers.test(k.layers)){if(E.isGroup)j=E.renderOrder;else if(E.
 isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)S.pushLight(E),E.castShadow&&S.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
 E.intersectsFrustum(Pe)){q&&vt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=he.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}else if(E.
@@ -3687,29 +3687,29 @@ isMesh||E.isLine||E.isPoints){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
 void 0?(E.boundingSphere===null&&E.computeBoundingSphere(),vt.copy(E.boundingSphere.center)):(Ae.boundingSphere===null&&Ae.computeBoundingSphere(),vt.copy(Ae.boundingSphere.
 center)),vt.applyMatrix4(E.matrixWorld).applyMatrix4(Pt)),Array.isArray(Ie)){let ke=Ae.groups;for(let je=0,dt=ke.length;je<dt;je++){let Be=ke[je],ft=Ie[Be.materialIndex];
 ft&&ft.visible&&C.push(E,Ae,ft,j,vt.z,Be,k)}}else Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}}let Te=E.children;for(let Pe=0,Ae=Te.length;Pe<Ae;Pe++)Xi(Te[Pe],k,
-j,q)}function _o(E,k,j,q){let{opaque:Z,transmissive:Te,transparent:Pe}=E;S.setupLightsView(j),Ut===!0&&ie.setGlobalState(R.clippingPlanes,j),q&&Se.viewport(se.copy(
+j,q)}function _o(E,k,j,q){let{opaque:Z,transmissive:Te,transparent:Pe}=E;S.setupLightsView(j),Ut===!0&&ie.setGlobalState(P.clippingPlanes,j),q&&Se.viewport(se.copy(
 q)),Z.length>0&&qt(Z,k,j),Te.length>0&&qt(Te,k,j),Pe.length>0&&qt(Pe,k,j),Se.buffers.depth.setTest(!0),Se.buffers.depth.setMask(!0),Se.buffers.color.setMask(!0),
 Se.setPolygonOffset(!1)}function di(E,k,j,q){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(S.state.transmissionRenderTarget[q.id]===void 0){let Be=$e.
 has("EXT_color_buffer_half_float")||$e.has("EXT_color_buffer_float");S.state.transmissionRenderTarget[q.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:us,
 samples:Math.max(4,it.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:_t.
-workingColorSpace})}let Te=S.state.transmissionRenderTarget[q.id],Pe=q.viewport||se;Te.setSize(Pe.z*R.transmissionResolutionScale,Pe.w*R.transmissionResolutionScale);
-let Ae=R.getRenderTarget(),Ie=R.getActiveCubeFace(),ke=R.getActiveMipmapLevel();R.setRenderTarget(Te),R.getClearColor(ee),me=R.getClearAlpha(),me<1&&R.setClearColor(
-16777215,.5),R.clear(),$t&&O.render(j);let je=R.toneMapping;R.toneMapping=Vi;let dt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),S.setupLightsView(q),
-Ut===!0&&ie.setGlobalState(R.clippingPlanes,q),qt(E,j,q),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),$e.has("WEBGL_multisampled_render_\
+workingColorSpace})}let Te=S.state.transmissionRenderTarget[q.id],Pe=q.viewport||se;Te.setSize(Pe.z*P.transmissionResolutionScale,Pe.w*P.transmissionResolutionScale);
+let Ae=P.getRenderTarget(),Ie=P.getActiveCubeFace(),ke=P.getActiveMipmapLevel();P.setRenderTarget(Te),P.getClearColor(ee),me=P.getClearAlpha(),me<1&&P.setClearColor(
+16777215,.5),P.clear(),$t&&O.render(j);let je=P.toneMapping;P.toneMapping=Vi;let dt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),S.setupLightsView(q),
+Ut===!0&&ie.setGlobalState(P.clippingPlanes,q),qt(E,j,q),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),$e.has("WEBGL_multisampled_render_\
 to_texture")===!1){let Be=!1;for(let ft=0,Xt=k.length;ft<Xt;ft++){let Et=k[ft],{object:Ct,geometry:hn,material:Ue,group:tn}=Et;if(Ue.side===zi&&Ct.layers.test(q.
-layers)){let mt=Ue.side;Ue.side=Bn,Ue.needsUpdate=!0,Kt(Ct,j,q,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
-Te))}R.setRenderTarget(Ae,Ie,ke),R.setClearColor(ee,me),dt!==void 0&&(q.viewport=dt),R.toneMapping=je}function qt(E,k,j){let q=k.isScene===!0?k.overrideMaterial:
+layers)){let mt=Ue.side;Ue.side=kn,Ue.needsUpdate=!0,Kt(Ct,j,q,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
+Te))}P.setRenderTarget(Ae,Ie,ke),P.setClearColor(ee,me),dt!==void 0&&(q.viewport=dt),P.toneMapping=je}function qt(E,k,j){let q=k.isScene===!0?k.overrideMaterial:
 null;for(let Z=0,Te=E.length;Z<Te;Z++){let Pe=E[Z],{object:Ae,geometry:Ie,group:ke}=Pe,je=Pe.material;je.allowOverride===!0&&q!==null&&(je=q),Ae.layers.test(j.layers)&&
-Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,q,Z,Te){F!==null&&Z.isNodeMaterial&&F.setObject(E,Z),E.onBeforeRender(R,k,j,q,Z,Te),E.modelViewMatrix.multiplyMatrices(j.
-matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(R,k,j,q,E,Te),Z.transparent===!0&&Z.side===zi&&Z.forceSinglePass===
-!1?(Z.side=Bn,Z.needsUpdate=!0,R.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Fs,Z.needsUpdate=!0,R.renderBufferDirect(j,k,q,Z,E,Te),Z.side=zi):R.renderBufferDirect(
-j,k,q,Z,E,Te),E.onAfterRender(R,k,j,q,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let q=ze.
+Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,q,Z,Te){F!==null&&Z.isNodeMaterial&&F.setObject(E,Z),E.onBeforeRender(P,k,j,q,Z,Te),E.modelViewMatrix.multiplyMatrices(j.
+matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(P,k,j,q,E,Te),Z.transparent===!0&&Z.side===zi&&Z.forceSinglePass===
+!1?(Z.side=kn,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Fs,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=zi):P.renderBufferDirect(
+j,k,q,Z,E,Te),E.onAfterRender(P,k,j,q,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let q=ze.
 get(E),Z=S.state.lights,Te=S.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,S.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
 ke=q.programs;q.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?k.environment:null,q.fog=k.fog;let je=E.isMeshStandardMaterial||
 E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;q.envMap=L.get(E.envMap||q.environment,je),q.envMapRotation=q.environment!==null&&E.envMap===
 null?k.environmentRotation:E.envMapRotation,ke===void 0&&(E.addEventListener("dispose",ot),ke=new Map,q.programs=ke,q.programVariants=new Map);let dt=ke.get(Ie);
 if(dt!==void 0){if(q.currentProgram===dt&&q.lightsStateVersion===Pe)return xo(E,Ae),dt}else Ae.uniforms=oe.getUniforms(E),F!==null&&E.isNodeMaterial&&F.build(E,
-j,Ae),E.onBeforeCompile(Ae,R),dt=oe.acquireProgram(Ae,Ie),ke.set(Ie,dt),q.uniforms=Ae.uniforms;let Be=q.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||
+j,Ae),E.onBeforeCompile(Ae,P),dt=oe.acquireProgram(Ae,Ie),ke.set(Ie,dt),q.uniforms=Ae.uniforms;let Be=q.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||
 E.clipping===!0)&&(Be.clippingPlanes=ie.uniform),xo(E,Ae),q.needsLights=gs(E),q.lightsStateVersion=Pe,q.needsLights&&(Be.ambientLightColor.value=Z.state.ambient,
 Be.lightProbe.value=Z.state.probe,Be.sunLights.value=Z.state.sun,Be.sunLightShadows.value=Z.state.sunShadow,Be.directionalLights.value=Z.state.directional,Be.directionalLightShadows.
 value=Z.state.directionalShadow,Be.spotLights.value=Z.state.spot,Be.spotLightShadows.value=Z.state.spotShadow,Be.rectAreaLights.value=Z.state.rectArea,Be.ltc_1.
@@ -3723,10 +3723,10 @@ function xo(E,k){let j=ze.get(E);j.outputColorSpace=k.outputColorSpace,j.batchin
 k.instancingColor,j.instancingMorph=k.instancingMorph,j.skinning=k.skinning,j.morphTargets=k.morphTargets,j.morphNormals=k.morphNormals,j.morphColors=k.morphColors,
 j.morphTargetsCount=k.morphTargetsCount,j.numClippingPlanes=k.numClippingPlanes,j.numIntersection=k.numClipIntersection,j.vertexAlphas=k.vertexAlphas,j.vertexTangents=
 k.vertexTangents,j.toneMapping=k.toneMapping}function yo(E,k,j,q,Z){k.isScene!==!0&&(k=cn),Xe.resetTextureUnits();let Te=k.fog,Pe=q.isMeshStandardMaterial||q.isMeshLambertMaterial||
-q.isMeshPhongMaterial?k.environment:null,Ae=ce===null?R.outputColorSpace:ce.isXRRenderTarget===!0?ce.texture.colorSpace:_t.workingColorSpace,Ie=q.isMeshStandardMaterial||
+q.isMeshPhongMaterial?k.environment:null,Ae=ce===null?P.outputColorSpace:ce.isXRRenderTarget===!0?ce.texture.colorSpace:_t.workingColorSpace,Ie=q.isMeshStandardMaterial||
 q.isMeshLambertMaterial&&!q.envMap||q.isMeshPhongMaterial&&!q.envMap,ke=L.get(q.envMap||Pe,Ie),je=q.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.
 itemSize===4,dt=!!j.attributes.tangent&&(!!q.normalMap||q.anisotropy>0),Be=!!j.morphAttributes.position,ft=!!j.morphAttributes.normal,Xt=!!j.morphAttributes.color,
-Et=Vi;q.toneMapped&&(ce===null||ce.isXRRenderTarget===!0)&&(Et=R.toneMapping);let Ct=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,
+Et=Vi;q.toneMapped&&(ce===null||ce.isXRRenderTarget===!0)&&(Et=P.toneMapping);let Ct=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,
 hn=Ct!==void 0?Ct.length:0,Ue=ze.get(q),tn=S.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&q.id===K;ie.setState(q,E,Rt)}let mt=!1,$i=!1;q.version===Ue.
 __version?Ue.needsLights&&Ue.lightsStateVersion!==tn.state.version||Z.isBatchedMesh&&Ue.batching===!1||!Z.isBatchedMesh&&Ue.batching===!0||Z.isBatchedMesh&&Ue.batchingColor===
 !0&&Z._colorsTexture===null||Z.isBatchedMesh&&Ue.batchingColor===!1&&Z._colorsTexture!==null||Z.isInstancedMesh&&Ue.instancing===!1||!Z.isInstancedMesh&&Ue.instancing===
@@ -3745,16 +3745,16 @@ q.isMeshLambertMaterial||q.isMeshBasicMaterial||q.isMeshStandardMaterial||q.isSh
 Xe),tn.state.pointShadowMap.length>0&&ct.setValue(B,"pointShadowMap",tn.state.pointShadowMap,Xe)),Z.isSkinnedMesh){ct.setOptional(B,Z,"bindMatrix"),ct.setOptional(
 B,Z,"bindMatrixInverse");let Rt=Z.skeleton;Rt&&(Rt.boneTexture===null&&Rt.computeBoneTexture(),ct.setValue(B,"boneTexture",Rt.boneTexture,Xe))}Z.isBatchedMesh&&
 (ct.setOptional(B,Z,"batchingTexture"),ct.setValue(B,"batchingTexture",Z._matricesTexture,Xe),ct.setOptional(B,Z,"batchingIdTexture"),ct.setValue(B,"batchingIdT\
-exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let Pn=j.
-morphAttributes;if((Pn.position!==void 0||Pn.normal!==void 0||Pn.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
+exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let In=j.
+morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==
-null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Tw()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
+null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Ew()),Ci){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
 Ue.needsLights&&ur(Yt,qi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,S.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
 Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of S.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
 value=Rt.max,Yt.probesResolution.value=Rt.resolution}co.upload(B,ms(Ue),Yt,Xe)}if(q.isShaderMaterial&&q.uniformsNeedUpdate===!0&&(co.upload(B,ms(Ue),Yt,Xe),q.uniformsNeedUpdate=
 !1),q.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
-B,"modelMatrix",Z.matrixWorld),q.uniformsGroups!==void 0){let Rt=q.uniformsGroups;for(let sn=0,Tn=Rt.length;sn<Tn;sn++){let Ca=Rt[sn];Ge.update(Ca,nn),Ge.bind(Ca,
+B,"modelMatrix",Z.matrixWorld),q.uniformsGroups!==void 0){let Rt=q.uniformsGroups;for(let sn=0,Tn=Rt.length;sn<Tn;sn++){let Ra=Rt[sn];Ge.update(Ra,nn),Ge.bind(Ra,
 nn)}}return nn}function ur(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.needsUpdate=k,E.sunLights.needsUpdate=k,E.sunLightShadows.needsUpdate=k,E.directionalLights.
 needsUpdate=k,E.directionalLightShadows.needsUpdate=k,E.pointLights.needsUpdate=k,E.pointLightShadows.needsUpdate=k,E.spotLights.needsUpdate=k,E.spotLightShadows.
 needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function gs(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
@@ -3787,7 +3787,7 @@ Ie);let ke=E.textures[Ae],je=ke.format,dt=ke.type;E.textures.length>1&&B.readBuf
 "THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Be.__typeReadable===!1)throw new Error("THR\
 EE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ft=B.createBuffer();B.bindBuffer(B.PIXEL_PACK_BUFFER,
 ft),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(k,j,q,Z,ge.convert(je),ge.convert(dt),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let Xt=ce!==
-null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,Xt);let Et=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await jm(B,Et,4),
+null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,Xt);let Et=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await Qm(B,Et,4),
 B.bindBuffer(B.PIXEL_PACK_BUFFER,ft),B.getBufferSubData(B.PIXEL_PACK_BUFFER,0,Te),B.bindBuffer(B.PIXEL_PACK_BUFFER,null),B.deleteBuffer(ft),B.deleteSync(Et),Te}else
 throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(E,k=null,j=0){
 let q=Math.pow(2,-j),Z=Math.floor(E.image.width*q),Te=Math.floor(E.image.height*q),Pe=k!==null?k.x:0,Ae=k!==null?k.y:0;Xe.setTexture2D(E,0),B.copyTexSubImage2D(
@@ -3800,15 +3800,15 @@ Se.pixelStorei(B.UNPACK_FLIP_Y_WEBGL,k.flipY),Se.pixelStorei(B.UNPACK_PREMULTIPL
 let tn=Se.getParameter(B.UNPACK_ROW_LENGTH),mt=Se.getParameter(B.UNPACK_IMAGE_HEIGHT),$i=Se.getParameter(B.UNPACK_SKIP_PIXELS),nn=Se.getParameter(B.UNPACK_SKIP_ROWS),
 fr=Se.getParameter(B.UNPACK_SKIP_IMAGES);Se.pixelStorei(B.UNPACK_ROW_LENGTH,Et.width),Se.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Et.height),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,
 ke),Se.pixelStorei(B.UNPACK_SKIP_ROWS,je),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,dt);let Ci=E.isDataArrayTexture||E.isData3DTexture,qi=k.isDataArrayTexture||k.isData3DTexture;
-if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),Pn=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);Se.bindFramebuffer(B.READ_FRAMEBUFFER,Pn.__webglFramebuffer),
+if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),In=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);Se.bindFramebuffer(B.READ_FRAMEBUFFER,In.__webglFramebuffer),
 Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,Rt.__webglFramebuffer);for(let sn=0;sn<Ie;sn++)Ci&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(
 E).__webglTexture,Z,dt+sn),B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(k).__webglTexture,Te,Xt+sn)),B.blitFramebuffer(ke,je,ke+Pe,je+
 Ae,Be,ft,Be+Pe,ft+Ae,B.DEPTH_BUFFER_BIT,B.NEAREST);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else if(Z!==0||E.isRenderTargetTexture||
-ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let Pn=0;Pn<Ie;Pn++)Ci?B.framebufferTextureLayer(
-B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+Pn):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
-qi?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+Pn):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
+ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let In=0;In<Ie;In++)Ci?B.framebufferTextureLayer(
+B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+In):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
+qi?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+In):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
 TEXTURE_2D,Yt.__webglTexture,Te),Z!==0?B.blitFramebuffer(ke,je,ke+Pe,je+Ae,Be,ft,Be+Pe,ft+Ae,B.COLOR_BUFFER_BIT,B.NEAREST):qi?B.copyTexSubImage3D(Ue,Te,Be,ft,Xt+
-Pn,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else qi?E.isDataTexture||
+In,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else qi?E.isDataTexture||
 E.isData3DTexture?B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et.data):k.isCompressedArrayTexture?B.compressedTexSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,Et.data):
 B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et):E.isDataTexture?B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et.data):E.isCompressedTexture?B.compressedTexSubImage2D(
 B.TEXTURE_2D,Te,Be,ft,Et.width,Et.height,Ct,Et.data):B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et);Se.pixelStorei(B.UNPACK_ROW_LENGTH,tn),Se.pixelStorei(
@@ -3817,95 +3817,95 @@ B.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,$i),Se.pixelStorei
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
 Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,W=0,ce=null,Se.reset(),be.reset()},typeof __THREE_DEVTOOLS__<"\
 u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return ci}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
-this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var Yc=0,Aw=1,Ew=new V,Og=new ua,md=new ei,Bg=new V,qc=new Ui,Zc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Jc,this.
-unassigned=new Jc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new gd(e[t]));this._compute()}
+this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var Zc=0,Cw=1,Rw=new V,Bg=new ua,gd=new ei,kg=new V,Yc=new Ui,Jc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Kc,this.
+unassigned=new Kc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new _d(e[t]));this._compute()}
 return this}setFromObject(e){let t=[];return e.updateMatrixWorld(!0),e.traverse(function(n){let s=n.geometry;if(s!==void 0){let r=s.attributes.position;if(r!==void 0)
 for(let o=0,a=r.count;o<a;o++){let l=new V;l.fromBufferAttribute(r,o).applyMatrix4(n.matrixWorld),t.push(l)}}}),this.setFromPoints(t)}containsPoint(e){let t=this.
 faces;for(let n=0,s=t.length;n<s;n++)if(t[n].distanceToPoint(e)>this.tolerance)return!1;return!0}intersectRay(e,t){let n=this.faces,s=-1/0,r=1/0;for(let o=0,a=n.
 length;o<a;o++){let l=n[o],c=l.distanceToPoint(e.origin),d=l.normal.dot(e.direction);if(c>0&&d>=0)return null;let u=d!==0?-c/d:0;if(!(u<=0)&&(d>0?r=Math.min(u,r):
-s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Ew)!==null}makeEmpty(){return this.faces=[],this.
+s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Rw)!==null}makeEmpty(){return this.faces=[],this.
 vertices=[],this}_addVertexToFace(e,t){return e.face=t,t.outside===null?this.assigned.append(e):this.assigned.insertBefore(t.outside,e),t.outside=e,this}_removeVertexFromFace(e,t){
 return e===t.outside&&(e.next!==null&&e.next.face===t?t.outside=e.next:t.outside=null),this.assigned.remove(e),this}_removeAllVerticesFromFace(e){if(e.outside!==
 null){let t=e.outside,n=e.outside;for(;n.next!==null&&n.next.face===e;)n=n.next;return this.assigned.removeSubList(t,n),t.prev=n.next=null,e.outside=null,t}}_deleteFaceVertices(e,t){
 let n=this._removeAllVerticesFromFace(e);if(n!==void 0)if(t===void 0)this.unassigned.appendChain(n);else{let s=n;do{let r=s.next;t.distanceToPoint(s.point)>this.
 tolerance?this._addVertexToFace(s,t):this.unassigned.append(s),s=r}while(s!==null)}return this}_resolveUnassignedPoints(e){if(this.unassigned.isEmpty()===!1){let t=this.
-unassigned.first();do{let n=t.next,s=this.tolerance,r=null;for(let o=0;o<e.length;o++){let a=e[o];if(a.mark===Yc){let l=a.distanceToPoint(t.point);if(l>s&&(s=l,
+unassigned.first();do{let n=t.next,s=this.tolerance,r=null;for(let o=0;o<e.length;o++){let a=e[o];if(a.mark===Zc){let l=a.distanceToPoint(t.point);if(l>s&&(s=l,
 r=a),s>1e3*this.tolerance)break}}r!==null&&this._addVertexToFace(t,r),t=n}while(t!==null)}return this}_computeExtremes(){let e=new V,t=new V,n=[],s=[];for(let r=0;r<
 3;r++)n[r]=s[r]=this.vertices[0];e.copy(this.vertices[0].point),t.copy(this.vertices[0].point);for(let r=0,o=this.vertices.length;r<o;r++){let a=this.vertices[r],
 l=a.point;for(let c=0;c<3;c++)l.getComponent(c)<e.getComponent(c)&&(e.setComponent(c,l.getComponent(c)),n[c]=a);for(let c=0;c<3;c++)l.getComponent(c)>t.getComponent(
 c)&&(t.setComponent(c,l.getComponent(c)),s[c]=a)}return this.tolerance=3*Number.EPSILON*(Math.max(Math.abs(e.x),Math.abs(t.x))+Math.max(Math.abs(e.y),Math.abs(t.
 y))+Math.max(Math.abs(e.z),Math.abs(t.z))),{min:n,max:s}}_computeInitialHull(){let e=this.vertices,t=this._computeExtremes(),n=t.min,s=t.max,r=0,o=0;for(let h=0;h<
-3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Og.set(a.point,l.point);for(let h=0,f=this.vertices.
-length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Og.closestPointToPoint(p.point,!0,Bg);let y=Bg.distanceToSquared(p.point);y>r&&(r=y,c=p)}}r=-1,md.setFromCoplanarPoints(
-a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c){let y=Math.abs(md.distanceToPoint(p.point));y>r&&(r=y,d=
-p)}}let u=[];if(md.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
+3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Bg.set(a.point,l.point);for(let h=0,f=this.vertices.
+length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Bg.closestPointToPoint(p.point,!0,kg);let y=kg.distanceToSquared(p.point);y>r&&(r=y,c=p)}}r=-1,gd.setFromCoplanarPoints(
+a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c){let y=Math.abs(gd.distanceToPoint(p.point));y>r&&(r=y,d=
+p)}}let u=[];if(gd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ti.create(a,c,l),Ti.create(d,a,l),Ti.create(d,l,c),Ti.create(d,
 c,a));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+1].getEdge(2).setTwin(u[0].getEdge((3-h)%3)),u[h+1].getEdge(0).setTwin(u[f+1].getEdge(1))}}for(let h=0;h<4;h++)this.
-faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let m=0;m<4;m++){let g=this.faces[m].
-distanceToPoint(p.point);g>r&&(r=g,y=this.faces[m])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
-let n=this.faces[t];n.mark===Yc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
+faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let g=0;g<4;g++){let m=this.faces[g].
+distanceToPoint(p.point);m>r&&(r=m,y=this.faces[g])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
+let n=this.faces[t];n.mark===Zc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
-mark=Aw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===Yc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
+mark=Cw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===Zc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
 r)),r=r.next}while(r!==t);return this}_addAdjoiningFace(e,t){let n=Ti.create(e,t.tail(),t.head());return this.faces.push(n),n.getEdge(-1).setTwin(t.twin),n.getEdge(
 0)}_addNewFaces(e,t){this.newFaces=[];let n=null,s=null;for(let r=0;r<t.length;r++){let o=t[r],a=this._addAdjoiningFace(e,o);n===null?n=a:a.next.setTwin(s),this.
 newFaces.push(a.face),s=a}return n.next.setTwin(s),this}_addVertexToHull(e){let t=[];return this.unassigned.clear(),this._removeVertexFromFace(e,e.face),this._computeHorizon(
 e.point,null,e.face,t),this._addNewFaces(e,t),this._resolveUnassignedPoints(this.newFaces),this}_cleanup(){return this.assigned.clear(),this.unassigned.clear(),
 this.newFaces=[],this}_compute(){let e;for(this._computeInitialHull();(e=this._nextVertexToAdd())!==void 0;)this._addVertexToHull(e);return this._reindexFaces(),
-this._cleanup(),this}},Ti=class i{constructor(){this.normal=new V,this.midpoint=new V,this.area=0,this.constant=0,this.outside=null,this.mark=Yc,this.edge=null}static create(e,t,n){
+this._cleanup(),this}},Ti=class i{constructor(){this.normal=new V,this.midpoint=new V,this.area=0,this.constant=0,this.outside=null,this.mark=Zc,this.edge=null}static create(e,t,n){
 let s=new i,r=new Aa(e,s),o=new Aa(t,s),a=new Aa(n,s);return r.next=a.prev=o,o.next=r.prev=a,a.next=o.prev=r,s.edge=r,s.compute()}getEdge(e){let t=this.edge;for(;e>
-0;)t=t.next,e--;for(;e<0;)t=t.prev,e++;return t}compute(){let e=this.edge.tail(),t=this.edge.head(),n=this.edge.next.head();return qc.set(e.point,t.point,n.point),
-qc.getNormal(this.normal),qc.getMidpoint(this.midpoint),this.area=qc.getArea(),this.constant=this.normal.dot(this.midpoint),this}distanceToPoint(e){return this.
+0;)t=t.next,e--;for(;e<0;)t=t.prev,e++;return t}compute(){let e=this.edge.tail(),t=this.edge.head(),n=this.edge.next.head();return Yc.set(e.point,t.point,n.point),
+Yc.getNormal(this.normal),Yc.getMidpoint(this.midpoint),this.area=Yc.getArea(),this.constant=this.normal.dot(this.midpoint),this}distanceToPoint(e){return this.
 normal.dot(e)-this.constant}},Aa=class{constructor(e,t){this.vertex=e,this.prev=null,this.next=null,this.twin=null,this.face=t}head(){return this.vertex}tail(){
 return this.prev?this.prev.vertex:null}length(){let e=this.head(),t=this.tail();return t!==null?t.point.distanceTo(e.point):-1}lengthSquared(){let e=this.head(),
-t=this.tail();return t!==null?t.point.distanceToSquared(e.point):-1}setTwin(e){return this.twin=e,e.twin=this,this}},gd=class{constructor(e){this.point=e,this.prev=
-null,this.next=null,this.face=null}},Jc=class{constructor(){this.head=null,this.tail=null}first(){return this.head}last(){return this.tail}clear(){return this.head=
+t=this.tail();return t!==null?t.point.distanceToSquared(e.point):-1}setTwin(e){return this.twin=e,e.twin=this,this}},_d=class{constructor(e){this.point=e,this.prev=
+null,this.next=null,this.face=null}},Kc=class{constructor(){this.head=null,this.tail=null}first(){return this.head}last(){return this.tail}clear(){return this.head=
 this.tail=null,this}insertBefore(e,t){return t.prev=e.prev,t.next=e,t.prev===null?this.head=t:t.prev.next=t,e.prev=t,this}insertAfter(e,t){return t.prev=e,t.next=
 e.next,t.next===null?this.tail=t:t.next.prev=t,e.next=t,this}append(e){return this.head===null?this.head=e:this.tail.next=e,e.prev=this.tail,e.next=null,this.tail=
 e,this}appendChain(e){for(this.head===null?this.head=e:this.tail.next=e,e.prev=this.tail;e.next!==null;)e=e.next;return this.tail=e,this}remove(e){return e.prev===
 null?this.head=e.next:e.prev.next=e.next,e.next===null?this.tail=e.prev:e.next.prev=e.prev,this}removeSubList(e,t){return e.prev===null?this.head=t.next:e.prev.
-next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var Kc=class extends ln{constructor(e=[]){super();let t=[],n=[],r=new Zc().setFromPoints(e).faces;for(let o=0;o<r.length;o++){let a=r[o],l=a.edge;do{let c=l.head().
+next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var jc=class extends ln{constructor(e=[]){super();let t=[],n=[],r=new Jc().setFromPoints(e).faces;for(let o=0;o<r.length;o++){let a=r[o],l=a.edge;do{let c=l.head().
 point;t.push(c.x,c.y,c.z),n.push(a.normal.x,a.normal.y,a.normal.z),l=l.next}while(l!==a.edge)}this.setAttribute("position",new yt(t,3)),this.setAttribute("norma\
-l",new yt(n,3))}};var jc=24,_d=.1;function kg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Cw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
-i,3*t));function Rw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
-n}var xd=ji({box:{geometry:()=>new Is,has_edges:!0},sphere:{geometry:({radius:i})=>new na(i,jc,jc/2)},capsule:{geometry:i=>kg(i.axis,new Qo(i.radius,2*i.half_length,
-8,jc))},cylinder:{geometry:i=>kg(i.axis,new Ls(i.radius,i.radius,2*i.half_length,jc))},hull:{geometry:({points:i})=>new Kc(Cw(i))},mesh:{geometry:Rw}}),yd=i=>i.
-shape!=="box"&&i.shape in xd,zg=i=>yd(i)?xd[i.shape]:xd.box,Vg=i=>yd(i)?"".concat(i.shape," ").concat(i.index):"box",vd=i=>i.size[0]>0?i.size:[_d,_d,_d],Gg=i=>yd(
-i)?[1,1,1]:vd(i);var or=0;var Hg=2,Qc=3,Pw=32767,Iw=new xt().makeScale(0,0,0);function Lw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+l",new yt(n,3))}};var Qc=24,xd=.1;function zg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Pw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
+i,3*t));function Iw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
+n}var yd=ji({box:{geometry:()=>new Is,has_edges:!0},sphere:{geometry:({radius:i})=>new na(i,Qc,Qc/2)},capsule:{geometry:i=>zg(i.axis,new Qo(i.radius,2*i.half_length,
+8,Qc))},cylinder:{geometry:i=>zg(i.axis,new Ls(i.radius,i.radius,2*i.half_length,Qc))},hull:{geometry:({points:i})=>new jc(Pw(i))},mesh:{geometry:Iw}}),vd=i=>i.
+shape!=="box"&&i.shape in yd,Vg=i=>vd(i)?yd[i.shape]:yd.box,Gg=i=>vd(i)?"".concat(i.shape," ").concat(i.index):"box",bd=i=>i.size[0]>0?i.size:[xd,xd,xd],Hg=i=>vd(
+i)?[1,1,1]:bd(i);var or=0;var Wg=2,eh=3,Lw=32767,Nw=new xt().makeScale(0,0,0);function Dw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
-i}function Nw(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ia;return e?Lw(t):t}function Wg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
+i}function Uw(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ia;return e?Dw(t):t}function Xg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),y=i==="marks"?"ma\
-rks":Vg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=zg(f),m=i==="marks"?new no(.5):y.geometry(f),
-g=new Cs(m,Nw(i,y.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,m=new On,g=new V,x=new rt;for(let{mesh:w,rows:b}of r)
-b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==or&&h.mark[C]!==Qc)||f.hidden?.(C))w.setMatrixAt(S,Iw);else{let M=o.body(C),P=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...vd(M))),m.identity()):(g.set(...Gg(M)),m.set(h.turn[P+C],h.turn[2*P+C],h.turn[3*P+C],h.turn[C]).normalize()),w.setMatrixAt(
-S,p.compose(y,m,g))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
+rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),g=i==="marks"?new no(.5):y.geometry(f),
+m=new Cs(g,Uw(i,y.has_edges),p.length);return m.frustumCulled=!1,i==="marks"&&(m.renderOrder=2),n.add(m),{mesh:m,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,g=new Bn,m=new V,x=new rt;for(let{mesh:w,rows:b}of r)
+b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==or&&h.mark[C]!==eh)||f.hidden?.(C))w.setMatrixAt(S,Nw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(m.setScalar(Math.min(...bd(M))),g.identity()):(m.set(...Hg(M)),g.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),w.setMatrixAt(
+S,p.compose(y,g,m))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Cs(
-new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:m},g)=>{f.setMatrixAt(
-g,p.compose(new V(...y),new On,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(m=>({distance:m.
-distance,row:p[m.instanceId]}))})}};return u}function Xg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Pw*s)});return t}var $g=1e3/30,Dw=[.05,.1,.25,.5,1,2,4,8,16],Uw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
- 6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function qg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
-ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Uw[i],'\
-"/></svg>'),e}function Bs(i,e,t){let n=X("button",{type:"button",className:i,title:e},qg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
+new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:g},m)=>{f.setMatrixAt(
+m,p.compose(new V(...y),new Bn,new V().setScalar(g)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(g=>({distance:g.
+distance,row:p[g.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Lw*s)});return t}var qg=1e3/30,Fw=[.05,.1,.25,.5,1,2,4,8,16],Ow={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+ 6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Yg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
+ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Ow[i],'\
+"/></svg>'),e}function Bs(i,e,t){let n=X("button",{type:"button",className:i,title:e},Yg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
 n}var ar=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
-list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function eh({steps:i,dt:e,show:t,label:n="step shown",full:s=!0,
+list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function th({steps:i,dt:e,show:t,label:n="step shown",full:s=!0,
 played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
-"aria-label",n);let h=X("select",{className:"speed"},...Dw.map(P=>X("option",{value:P,textContent:"\xD7".concat(P),selected:P===1})));h.setAttribute("aria-label",
+"aria-label",n);let h=X("select",{className:"speed"},...Fw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
 "speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
-activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let P=l!==0;l=0,S(),P&&r(0)},m=P=>{let R=i.at_or_before(P);if(R===o){u.value=o;return}o=R,p()},
-g=P=>{y(),m(P)},x=()=>{let P=performance.now();c+=l*Number(h.value)*Math.min(.25,(P-d)/1e3)/Math.max(e(),1e-9),d=P,m(c),(l>0?c>=i.last:c<=i.first)&&y()},w=P=>{if(l===
-P)return y();y(),l=P,P>0&&o>=i.at_or_before(i.last)&&m(i.first),P<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(x,$g),S(),r(P)},b=Bs("play","pl\
-ay",()=>w(1)),C=Bs("back","play backwards",()=>w(-1));function S(){for(let[P,R,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===R;P.replaceChildren(
-qg(z?"pause":I)),P.setAttribute("aria-label",z?"pause":F),P.title=z?"pause":F}}let _=P=>{y(),m(i.beside(o,P))};return u.addEventListener("input",()=>g(Number(u.
-value))),u.addEventListener("keydown",P=>{let R={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[P.key];R===void 0||P.ctrlKey||P.metaKey||
-P.altKey||(P.preventDefault(),P.stopPropagation(),_(P.shiftKey?10*R:R))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
-player"},Bs("first","first step",()=>g(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>g(i.last)),
-h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:w,stop:y,get step(){
-return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*$g/1e3/Math.max(e(),1e-9))},set_last(P){let R=o===i.last;return i.last=P,u.max=
-f.max=P,R},refresh:p}}function th(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
+activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,S(),R&&r(0)},g=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
+m=R=>{y(),g(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,g(c),(l>0?c>=i.last:c<=i.first)&&y()},w=R=>{if(l===
+R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&g(i.first),R<0&&o<=i.first&&g(i.last),c=o,d=performance.now(),a=setInterval(x,qg),S(),r(R)},b=Bs("play","pl\
+ay",()=>w(1)),C=Bs("back","play backwards",()=>w(-1));function S(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
+Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),g(i.beside(o,R))};return u.addEventListener("input",()=>m(Number(u.
+value))),u.addEventListener("keydown",R=>{let P={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[R.key];P===void 0||R.ctrlKey||R.metaKey||
+R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{m(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
+player"},Bs("first","first step",()=>m(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>m(i.last)),
+h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:m,move:_,play:w,stop:y,get step(){
+return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*qg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
+f.max=R,P},refresh:p}}function nh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
 l.movementX)+Math.abs(l.movementY),s.size===2){let c=r();s.set(l.pointerId,{x:l.clientX,y:l.clientY}),e.zoom(c/Math.max(1,r()))}else l.shiftKey||l.buttons!==1?e.
 pan(l.movementX/i.clientHeight,l.movementY/i.clientHeight):e.turn(-.008*l.movementX,.008*l.movementY);s.has(l.pointerId)&&s.set(l.pointerId,{x:l.clientX,y:l.clientY})}});
@@ -3913,216 +3913,216 @@ let o=l=>s.delete(l.pointerId);i.addEventListener("pointerup",l=>{if(o(l),n>4||l
 (l.clientY-c.top)/c.height)}),i.addEventListener("pointercancel",o),i.addEventListener("contextmenu",l=>l.preventDefault()),i.addEventListener("wheel",l=>{document.
 activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive:!1});let a={ArrowLeft:l=>l?e.pan(.05,0):e.turn(-.12,0),ArrowRight:l=>l?e.pan(-.05,
 0):e.turn(.12,0),ArrowUp:l=>l?e.pan(0,.05):e.turn(0,.12),ArrowDown:l=>l?e.pan(0,-.05):e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};
-i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function nh(i,e){
+i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function ih(i,e){
 let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
-n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Fw=.07,Ow=.25;function bd(i,e){let t=new Vn,n=new Ls(.5,.5,1,6).translate(0,.5,0),s=new ea(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
-opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Cs(y,r,a.length)),u=Fw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:m,impulse:g},x)=>{let w=u*Math.max(Ow,Math.sqrt(Math.max(0,g)/h)),b=new On().
-setFromUnitVectors(f,new V(...m).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
-C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Sd=40,Bw=2;function kw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
-n}function Md(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function zw(i,e){let t={around:-.9,up:.45,distance:.82*
-i/Math.sin(Sd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
-Math.asin(n.z/n.length())))}return t}function ih(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Wc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-Bw));let{radius:o}=t,a=new Xo,l=new Un(Sd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
+n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Bw=.07,kw=.25;function Md(i,e){let t=new Vn,n=new Ls(.5,.5,1,6).translate(0,.5,0),s=new ea(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
+opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Cs(y,r,a.length)),u=Bw*
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:g,impulse:m},x)=>{let w=u*Math.max(kw,Math.sqrt(Math.max(0,m)/h)),b=new Bn().
+setFromUnitVectors(f,new V(...g).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
+C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,zw=2;function Vw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+n}function Sd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Gw(i,e){let t={around:-.9,up:.45,distance:.82*
+i/Math.sin(wd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
+Math.asin(n.z/n.length())))}return t}function sh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Xc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
+zw));let{radius:o}=t,a=new Xo,l=new Fn(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new aa("#ffffff","#c9d1da",1.9),c,d),s){let _=new da(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
-a.add(_)}let u=zw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[bd(e.contact,1),bd(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
-m=!1,g=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
-u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
-Math.max(1,_.y),l.updateProjectionMatrix(),w(),r.setScissorTest(M===2);for(let P=0;P<M;++P){let R=Math.round(P*_.x/M);r.setViewport(R,0,_.x/M,_.y),r.setScissor(
-R,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===P}),p.forEach(({group:I},F)=>{I.visible=M===1||F===P});for(let{session:I,line:F}of y.values())F.visible=
-M===1||I===P;r.render(a,l)}},S=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:S,draw_now:C,add_session(_,M){let P=Wg(_,M,e);return h.push(P),a.add(P.group),
-{describe(R){P.describe(R),S()},show(R,I){P.show(R,I),S()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Md(y.get(_).line),y.delete(
-_),M&&M.points.length>0){let{points:P,colour:R,dash:I,on_top:F}=M,z={color:R,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new sa({...z,dashSize:I,gapSize:.7*
-I}):new Ps(z),G=kw(P,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let P=b(),
-R=Math.min(P-1,Math.floor(_*P));w(),l.updateMatrixWorld();let I=new ha;I.setFromCamera(new st(2*(_*P-R)-1,1-2*M),l);let F=h.flatMap((z,D)=>P===2&&D!==R?[]:z.hits(
+a.add(_)}let u=Gw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
+g=!1,m=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
+u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>g&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,m=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
+Math.max(1,_.y),l.updateProjectionMatrix(),w(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
+P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of y.values())F.visible=
+M===1||I===R;r.render(a,l)}},S=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:S,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
+{describe(P){R.describe(P),S()},show(P,I){R.show(P,I),S()}}},set_side_by_side(_){g=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
+_),M&&M.points.length>0){let{points:R,colour:P,dash:I,on_top:F}=M,z={color:P,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new sa({...z,dashSize:I,gapSize:.7*
+I}):new Ps(z),G=Vw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let R=b(),
+P=Math.min(R-1,Math.floor(_*R));w(),l.updateMatrixWorld();let I=new ha;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
 I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),S()},zoom(_){
-u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),S()},pan(_,M){w(),l.updateMatrixWorld();let P=2*u.distance*Math.tan(Sd/2*Math.PI/180),R=new V().setFromMatrixColumn(
-l.matrixWorld,0).multiplyScalar(-_*P);u.centre.add(R.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*P))),S()},look_at(_){u.centre.set(..._),S()},
-resize(_,M){let P=r.getSize(new st);P.x===_&&P.y===M||(r.setSize(_,M,!1),g?C():S())},dispose(){for(let _ of h)Md(_.group);Md(f),a.traverse(_=>{_.geometry?.dispose(),
-_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Td=2,Vw=.05,Gw=40,Hw=.15,ks=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Ww(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=ks(n,o),l=ks(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Xw(i,e){
-let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Td,Vw*Math.min(t,r>0?r:t))})}
-function Yg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:Xg(n,r=>{let o=t?.
+u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),S()},pan(_,M){w(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(wd/2*Math.PI/180),P=new V().setFromMatrixColumn(
+l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),S()},look_at(_){u.centre.set(..._),S()},
+resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),m?C():S())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
+_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Hw=.05,Ww=40,Xw=.15,ks=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function $w(i){let{actual_mm:e,expected_mm:t}=i.
+frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=ks(n,o),l=ks(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function qw(i,e){
+let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Ad,Hw*Math.min(t,r>0?r:t))})}
+function Zg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:$g(n,r=>{let o=t?.
 slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=ks(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
-function Zg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Gw),r=[];for(let o of s)for(let a=1;a<
-e.length;++a){let l=ks(e[a-1],o),c=ks(e[a],o);l&&c&&r.push(...l,...c)}return r}var wd=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
-="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function $w(){return X("p",{},wd('<path d="M0 8H36" stroke="var\
-(--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),wd('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
-/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),wd('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
-o the other"))}function qw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
+function Jg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Ww),r=[];for(let o of s)for(let a=1;a<
+e.length;++a){let l=ks(e[a-1],o),c=ks(e[a],o);l&&c&&r.push(...l,...c)}return r}var Td=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
+="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Yw(){return X("p",{},Td('<path d="M0 8H36" stroke="var\
+(--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),Td('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
+/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),Td('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
+o the other"))}function Zw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
 id.filter((c,d)=>!ks(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
 e (gone, or not finite)");if(n.length===0)return"".concat(s,": nothing to compare here").concat(o);let a=n.reduce((c,d)=>d.value>c.value?d:c),l=n.filter(({value:c})=>c>
-Td).length;return l===0?"".concat(s,": every body within ").concat(Td," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
-" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(zn(a.value/1e3)," away").concat(o)}function Yw(i){return{count:i.bodies.id.length,body:e=>({
-shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Zw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
-s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return nh(t,Math.max(...i.bodies.size,.1))}var Ad=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
-apart:n,frame:0,stage:null,last_view:null}),this.limits=Xw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
+Ad).length;return l===0?"".concat(s,": every body within ").concat(Ad," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
+" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(An(a.value/1e3)," away").concat(o)}function Jw(i){return{count:i.bodies.id.length,body:e=>({
+shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Kw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
+s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return ih(t,Math.max(...i.bodies.size,.1))}var Ed=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
+apart:n,frame:0,stage:null,last_view:null}),this.limits=qw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
 x"}).observe(e)}open(){if(this.stage)return;let e=X("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensi\
-ons. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=Zw(this.data);try{this.stage=ih(e,{hue:t,box:n})}catch{
+ons. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=Kw(this.data);try{this.stage=sh(e,{hue:t,box:n})}catch{
 this.place.textContent="This browser has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.
 last_view),this.actual=this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])
-s.describe(Yw(this.data));this.stage.set_lines("actual",{points:Zg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expe\
-cted",{points:Zg(this.data,this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),th(e,this.stage),this.resize(),this.show(this.frame)}close(){
+s.describe(Jw(this.data));this.stage.set_lines("actual",{points:Jg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expe\
+cted",{points:Jg(this.data,this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),nh(e,this.stage),this.resize(),this.show(this.frame)}close(){
 this.stage&&(this.last_view={...this.stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{
-frames:t,bodies:n}=this.data,s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Yg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.
-offsetHSL(0,0,.035*(o%5-2))}),this.expected.show(Yg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=ks(t.actual_mm[e],a),c=ks(t.expected_mm[e],
+frames:t,bodies:n}=this.data,s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Zg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.
+offsetHSL(0,0,.035*(o%5-2))}),this.expected.show(Zg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=ks(t.actual_mm[e],a),c=ks(t.expected_mm[e],
 a);return l&&c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:Ki().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
-place;e>0&&this.stage?.resize(e,t)}};function Jg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Ww(e),r=X("div",{className:"\
-view3d"}),o=X("output"),a=new Ad(r,e,s),l=eh({steps:new ar(0,n),dt:()=>Hw,full:!1,show:d=>{let u=qw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
-show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),$w(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
+place;e>0&&this.stage?.resize(e,t)}};function Kg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=$w(e),r=X("div",{className:"\
+view3d"}),o=X("output"),a=new Ed(r,e,s),l=th({steps:new ar(0,n),dt:()=>Xw,full:!1,show:d=>{let u=Zw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
+show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Yw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
 Drag or use the arrow keys to turn, + and - to zoom. Lines: the ways of the bodies that went furthest astray."}));let c=s.map(d=>Math.max(...d.map(u=>u??0)));return l.
-seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var Kg=5e-4,jg=24,Jw=50,Kw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},Qg=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
-.75,.5),sh=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:[null,null],with_contacts:!1,
+seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var jg=5e-4,Qg=24,jw=50,Qw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},e0=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
+.75,.5),rh=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:[null,null],with_contacts:!1,
 with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_speed:1,focus:null}),this.open()}open(){let e=X("canvas",{tabIndex:0});e.setAttribute(
 "role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.canvas=e,this.
 tags=this.sessions.map((t,n)=>X("span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=X("p",{className:"over-view",
 hidden:!0}),this.place.replaceChildren(e,...this.tags,this.over),this.stage=null}start(){this.hue=Ki();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(
 e[a]).filter((l,c)=>e.mark[c]!==or):[],n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.
-sessions[0].head;this.box=nh(["x","y","z"].map(t),s);try{this.stage=ih(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="\
+sessions[0].head;this.box=ih(["x","y","z"].map(t),s);try{this.stage=sh(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="\
 This browser has no WebGL, so there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===
-0?"solid":"ghost",l===0?this.hue.actual:this.hue.expected);return c.describe(a.bodies),c}),th(this.canvas,this.stage,(a,l)=>{let c=this.stage.pick(a,l);this.picked(
+0?"solid":"ghost",l===0?this.hue.actual:this.hue.expected);return c.describe(a.bodies),c}),nh(this.canvas,this.stage,(a,l)=>{let c=this.stage.pick(a,l);this.picked(
 c?this.sessions[c.session].bodies.id(c.row):null)}),this.set_side_by_side(this.side_by_side),this.resize()}describe(){this.sessions.forEach((e,t)=>this.bodies?.[t].
 describe(e.bodies))}restart(){if(!this.stage)return;let e={...this.stage.view};this.stage.dispose(),this.open(),this.start(),this.stage&&Object.assign(this.stage.
 view,e),this.show()}reset_view(){let{stage:e}=this;e&&(e.dispose(),this.open(),this.following=!1,this.start(),this.show())}set_side_by_side(e){this.side_by_side=
 e,this.place.classList.toggle("halves",e),this.tags[1]&&(this.tags[1].textContent=e?"B":"B, ghost"),this.stage?.set_side_by_side(e),this.show()}place_of(e,t){let n=this.
-frames[e],s=this.sessions[e]?.bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===or||n.mark[s]===Qc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.
+frames[e],s=this.sessions[e]?.bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===or||n.mark[s]===eh?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.
 place_of(0,e),this.place_of(1,e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.
-selected)return r.set(this.hue.select);if(this.paint==="speed")return Qg(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return Qg(Math.log10(Math.max(1e-9,
-this.apart(o)??0)/1e-9)/9,r);let a=t.mark[s]===Hg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Kw[n.
-texture(s)]??this.hue.actual),a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<Jw;++s){if(t.mark[s]!==
-Qc)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;
+selected)return r.set(this.hue.select);if(this.paint==="speed")return e0(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return e0(Math.log10(Math.max(1e-9,
+this.apart(o)??0)/1e-9)/9,r);let a=t.mark[s]===Wg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Qw[n.
+texture(s)]??this.hue.actual),a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<jw;++s){if(t.mark[s]!==
+eh)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;
 l.step.forEach((d,u)=>{let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.
 lost_places.get(o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],
 o=r&&r.status===0?r:null,a=o?{colour:this.colour_of(n,o),lost:this.lost_in(n,o)}:{};o&&s===1&&!this.side_by_side&&(a.colour=(l,c)=>n.bodies.id(l)===this.selected&&
-c.set(this.hue.select),a.hidden=l=>(this.apart(n.bodies.id(l))??1)<Kg),this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)for(let n of this.
-sessions[0].bodies.json.id)(this.apart(n)??0)>=Kg&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,colour:this.hue.bad,
+c.set(this.hue.select),a.hidden=l=>(this.apart(n.bodies.id(l))??1)<jg),this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)for(let n of this.
+sessions[0].bodies.json.id)(this.apart(n)??0)>=jg&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,colour:this.hue.bad,
 on_top:!0}),this.show_contacts();let t=this.following&&this.selected!==null?this.place_of(0,this.selected)??this.place_of(1,this.selected):null;t&&this.stage.look_at(
 t),this.stage.draw()}show_contacts(){this.sessions.forEach((e,t)=>this.show_contacts_of(t))}show_contacts_of(e){let t=this.contacts[e],s=t&&this.frames[e]&&t.step===
 this.frames[e].step?t.rows??[]:[],r=([l,c])=>l===this.selected||c===this.selected,a=(this.selected!==null?s.filter(r):this.with_contacts?s:[]).filter(l=>l[9]>0&&
 !l.includes(null));this.stage.set_arrows(a.map(l=>{let c=l[7]<0?-1:1;return{at:l.slice(2,5),normal:l.slice(5,8).map(d=>c*d),impulse:l[9]}}),e)}way_ids(){if(this.
 selected!==null)return[this.selected];let{bodies:e}=this.sessions[0],t=[...e.json.id.keys()].filter(o=>!e.is_static(o)),n=t.filter(o=>e.name(o)==="thrown"),s=Math.
-max(1,Math.ceil(t.length/jg));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slice(0,jg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let e=this.with_ways||
+max(1,Math.ceil(t.length/Qg));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slice(0,Qg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let e=this.with_ways||
 this.selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.
 way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],
 colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,session:1}:null))}resize(){let{
-clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function jw(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
+clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function e1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
 e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bodies"))];return e.
 finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(lr(
-"bodies lost","fail")),r}function Qw(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
+"bodies lost","fail")),r}function t1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
 a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
 y)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),
 a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?"is th\
 inned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.ours&&
 l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run,
 " steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});
-let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function e0(i){let e=X("h1"),t=X("div",{className:"\
+let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function t0(i){let e=X("h1"),t=X("div",{className:"\
 facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{
 let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"\
 side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:
-[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...jw(l)])),n.replaceChildren(...Qw(i).map(([l,c])=>X("p",{className:l,
+[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...e1(l)])),n.replaceChildren(...t1(i).map(([l,c])=>X("p",{className:l,
 textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it shou\
-ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var e1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function kn(i,e,t="",n=null){
+ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var n1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function zn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Vs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
-function t1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ps("","number");if(a!==null&&
+function i1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ps("","number");if(a!==null&&
 n){let u=X("button",{type:"button",className:"link",textContent:"plot"}),h=()=>u.setAttribute("aria-pressed",String(n.has(a,e,l??0)));u.setAttribute("aria-label",
 "plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return cr(X("th",{scope:"row",textContent:c}),ps(o,
-"number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function n0(i,{id:e,
-label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
-numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(m=>X("th",{scope:"col",textContent:m,className:"\
-number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:g}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[m]),w=x.map(S=>S?.hex??String(S?.
-value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:g}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(kn(zs(S.value),()=>c(g),"".
-concat(S.hex??""," \u2013 where does it come from?"),"".concat(g," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
-S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(m=>Number(m.toPrecision(4))).join(" \xD7 ")," \
+"number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function i0(i,{id:e,
+label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(g=>g.why_not),h=X("table",{className:"\
+numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(g=>X("th",{scope:"col",textContent:g,className:"\
+number"})))));let f=X("tbody"),p=r.find(g=>g.fields);for(let[g,{field:m}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[g]),w=x.map(S=>S?.hex??String(S?.
+value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:m}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(zn(zs(S.value),()=>c(m),"".
+concat(S.hex??""," \u2013 where does it come from?"),"".concat(m," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
+S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(g=>Number(g.toPrecision(4))).join(" \xD7 ")," \
 m"):"size unknown"];p&&y.push(p.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),
-o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(t1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
+o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(i1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
 r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; t\
-umble dump prints every bit."}))}function i0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));
+umble dump prints every bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));
 if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",
-kn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,e1),l="".
+zn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,n1),l="".
 concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(
-X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(zn(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ps(""),p=y=>kn(n.short(
+X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ps(""),p=y=>zn(n.short(
 y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ps("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),ps(
-zn(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thead",{},cr(X("th",{scope:"col",textContent:"bodies"}),X(
+An(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thead",{},cr(X("th",{scope:"col",textContent:"bodies"}),X(
 "th",{scope:"col",textContent:"impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scro\
-ll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function s0(i,e,t,n,s,r){if(!e)return i.replaceChildren(
+ll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function r0(i,e,t,n,s,r){if(!e)return i.replaceChildren(
 X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X(
-"p",{},kn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(zs(e.value)," ").concat(e.unit)),
-a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},kn("step ".concat(
+"p",{},zn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(zs(e.value)," ").concat(e.unit)),
+a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},zn("step ".concat(
 l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.
-map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":kn(t.label(u.with),()=>s(u.with))),h.append("\
+map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":zn(t.label(u.with),()=>s(u.with))),h.append("\
 : ".concat(zs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??
 [])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(
-e.answers.length+5)),i.append(X("p",{},l))}}var t0=(i,e)=>"".concat(zs(i)).concat(e?" (".concat(e,")"):"");function n1(i,e){if(i.why_not)return X("p",{className:"\
-soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ps("","number");s.step===null?r.textContent="never":r.append(kn(String(
+e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(zs(i)).concat(e?" (".concat(e,")"):"");function s1(i,e){if(i.why_not)return X("p",{className:"\
+soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ps("","number");s.step===null?r.textContent="never":r.append(zn(String(
 s.step),()=>e(s.step),"","step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ps(s.step===null?"":String(s.substep),"number"),ps(String(
 s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
 able",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},cr(...n.map(
-(s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Ed(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;
+(s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Cd(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;
 let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(i.every_bit,"."):n===s?"Different: ".concat(
 i.unequal,"; the ").concat(i.steps," steps of both are the same in all else that was compared."):"The ".concat(i.steps," steps of both are the same; A ends with\
  step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==null&&t.push("substep ".concat(e.substep)),
-"First difference: ".concat(t.join(", "))}function r0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(
-X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Ed(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));
+"First difference: ".concat(t.join(", "))}function o0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(
+X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Cd(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));
 let o=[],a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join("\
 , "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),
-e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=X("p",{});l.body!==null&&c.append(kn(t(l.body),()=>s(l.body)),", "),c.append(
-"".concat(l.field,": ").concat(t0(l.expected,l.expected_hex)," \u2192 ").concat(t0(l.actual,l.actual_hex)));let d=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(
+e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=X("p",{});l.body!==null&&c.append(zn(t(l.body),()=>s(l.body)),", "),c.append(
+"".concat(l.field,": ").concat(n0(l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));let d=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(
 l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),o.push(c);let u=X("button",{type:"button",className:"jump",textContent:"Go to the\
  first difference"});u.addEventListener("click",()=>n(a.step)),o.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>0?o.push(X("ul",{className:"marks"},...h.
-map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(zn(f)," apart from "),kn("step ".concat(p),()=>n(p)),", ",kn(t(y),()=>s(y)))))):e.growth_unknown&&o.
-push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(n1(e.partings,n))}for(let l of e.notes??[])o.
-push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var i1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(An(f)," apart from "),zn("step ".concat(p),()=>n(p)),", ",zn(t(y),()=>s(y)))))):e.growth_unknown&&o.
+push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(s1(e.partings,n))}for(let l of e.notes??[])o.
+push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var r1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
 fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, with Shift move; \
-zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function o0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].
+zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].
 rows.breaks(),...t.map(({step:l})=>l),...n.flatMap(([l,c])=>[l,c])];s!==null&&r.push(s);let{step:o}=i.player,a=r.filter(l=>e>0?l>o:l<o).sort((l,c)=>e*(l-c));a.length>
-0&&i.player.seek(a[0])}function a0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.
-player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.first),End:()=>i.player.seek(i.steps.last),"[":()=>o0(i,-1),"]":()=>o0(
+0&&i.player.seek(a[0])}function l0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.
+player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.first),End:()=>i.player.seek(i.steps.last),"[":()=>a0(i,-1),"]":()=>a0(
 i,1),d:()=>i.go_to_first_difference(),"/":()=>i.search.focus(),n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener(
 "keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.
 key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Vs("Keys",
-{open:!1});return n.append(X("dl",{className:"keys"},...i1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Cd=i=>i==null?"\u2013":String(i),l0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),s1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
-i.bodies[e]):"\u2013",c0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:s1,top:i=>Math.max(1,...r1(i.bodies))},{name:"contacts",kind:"\
-line",of:(i,e)=>i.contacts[e],words:(i,e)=>Cd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Cd(i.begun[e]),late:!0},
-{name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Io(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Io(
-i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(l0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):
-l0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>zn(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,
-words:(i,e)=>Cd(i.lost[e]),bad:!0,only_if_any:!0}];function r1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var h0=i=>i.map((e,t)=>({
-name:e,kind:"line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.
-broken[s]??null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":
-"\u2713 holds")}})),u0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>s(a,l)===null?"\u2013":"".concat(Number(s(
-a,l).toPrecision(6))).concat(t?" ".concat(t):""),o=n==="step"?"":", largest of ".concat(n);return{name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".
-concat(e).concat(o),of:s,words:r}});function d0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<t.step.length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??
-null},r=(o,a)=>s(o,a)===null?"\u2013":"".concat(Number(s(o,a).toPrecision(6))).concat(e?" ".concat(e):"");return{name:i,kind:"line",fit:!0,title:"channel ".concat(
-i),of:s,words:r}}function f0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.
-step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var o1=8,rh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
+{open:!1});return n.append(X("dl",{className:"keys"},...r1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
+Number(i.toPrecision(6))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),o1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
+"\u2013",u0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:o1,top:i=>Math.max(1,...a1(i.bodies))},{name:"contacts",kind:"line",of:(i,e)=>i.
+contacts[e],words:(i,e)=>Rd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Rd(i.begun[e]),late:!0},{name:"energy",kind:"\
+line",of:(i,e)=>i.energy(e),words:(i,e)=>Io(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Io(i.kinetic[e])},{name:"\
+highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(c0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):c0(i.speed[e])},{name:"\
+deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>An(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,words:(i,e)=>Rd(i.lost[e]),
+bad:!0,only_if_any:!0}];function a1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var d0=i=>i.map((e,t)=>({name:e,kind:"line",title:"\
+up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.broken[s]??null;if(r===
+null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":"\u2713 holds")}})),
+f0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>h0(s(a,l),t),o=n==="step"?"":", largest of ".concat(n);return{
+name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".concat(e).concat(o),of:s,words:r}});function p0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<t.step.
+length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??null},r=(o,a)=>h0(s(o,a),e);return{name:i,kind:"line",fit:!0,title:"channel ".concat(i),of:s,
+words:r}}function m0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:
+null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var l1=8,oh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
 return this.chosen.has(this.key(e,t,n))}lanes(){return[...this.chosen.values()].map(({lane:e})=>e)}flip(e,t,n){let s=this.key(e,t,n);if(!this.chosen.delete(s)){
 let[{rows:r,bodies:o}]=this.page.sessions,{name:a,unit:l}=r.channel_heads[e],c=n?"".concat(o.label(t)," and ").concat(o.label(n)):o.label(t),d={step:[],value:[]};
-this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:d0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>o1&&this.chosen.delete(this.chosen.keys().next().value),
+this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:p0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>l1&&this.chosen.delete(this.chosen.keys().next().value),
 this.read(s)}this.page.set_lanes()}async read(e){let{channel:t,a:n,b:s,history:r}=this.chosen.get(e),o=a=>(Object.assign(r,{step:a.step,value:a.value}),this.page.
 timeline.draw(),this.chosen.has(e));try{o(await this.page.sessions[0].channel_history(t,n,s,o))}catch(a){this.page.header.trouble(a)}}again(){for(let e of this.
-chosen.keys())this.read(e)}};var oh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Vs("Body"),this.blame_panel=Vs("Where it comes from"),this.blame_panel.place.hidden=
+chosen.keys())this.read(e)}};var ah=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Vs("Body"),this.blame_panel=Vs("Where it comes from"),this.blame_panel.place.hidden=
 !0,this.contact_panel=Vs("Contacts"),this.input_panel=Vs("Inputs",{open:!1}),this.difference_panel=Vs("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
 this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
 next_contacts!==null;){let e=this.next_contacts;this.next_contacts=null,await this.show_contacts(e)}}async show_contacts(e){let t=await Promise.all(this.sessions.
 map(async n=>e<n.head.first||e>n.head.last?{step:e,why_not:"the log has no such step"}:n.contacts_at(n.steps?this.page.own_step(n,e):e)));this.page.player.step===
 e&&(this.page.drawing.contacts=t,this.page.drawing.show(),this.draw_contacts())}draw_contacts(){let{contacts:e}=this.page.drawing,t=this.sessions.length===2;this.
-contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return i0(r,e[s],{selected:this.page.selected,
+contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return s0(r,e[s],{selected:this.page.selected,
 bodies:n,select:o=>this.page.select(o),go:o=>this.page.player.seek(o)}),t?[X("h3",{},X("span",{className:"side side-".concat("ab"[s]),textContent:"AB"[s]})),r]:
 [r]}))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(X("p",{className:"soft",textContent:"Press a body in the view, or search\
  for its id or name."}))}async show_body(e){let t=this.page.selected;if(t===null)return;let n=await Promise.all(this.sessions.map(a=>a.body_at(a.steps?this.page.
 own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return;let s=this.sessions.find(a=>a.bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.
 row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,this.page.toolbar.show(),this.page.drawing.show()}],
 ["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].
-map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));n0(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
+map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));i0(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
 void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,bodies:s.bodies,plots:s===this.sessions[0]?this.page.plots:null,asked:this.
 sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.
-open=!0;let r=this.blamed={},o=a=>s0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,
+open=!0;let r=this.blamed={},o=a=>r0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,
 l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);if(this.blamed!==r)return;o(a);let[l]=a.answers??[];this.page.tell(a.why_not??"".concat(a.field," ").
 concat(zs(a.value)," comes from step ").concat(l.step,", ").concat(l.phase,": ").concat(l.text))}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){
-r0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e)),this.page.tell(Ed(this.page.difference))}label(e){
+o0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e)),this.page.tell(Cd(this.page.difference))}label(e){
 return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??this.sessions[0]).bodies.label(e)}show_inputs(){let{events:e}=this.sessions[0].rows;if(this.inputs_shown===
 e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel.body.replaceChildren(e.length===0?X("p",{className:"soft",textContent:"None."}):
 X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,text:o})=>{let a=X("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.
@@ -4132,74 +4132,76 @@ kinetic:{of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],un
 unit:""},begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],
 unit:""},broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}}),fo=ji({speed:{of:(i,e)=>i.speed[e],
 unit:"m/s"},spin:{of:(i,e)=>i.spin?.[e]??null,unit:"rad/s"},height:{of:(i,e)=>i.z[e],unit:"m"},x:{of:(i,e)=>i.x[e],unit:"m"},y:{of:(i,e)=>i.y[e],unit:"m"},z:{of:(i,e)=>i.
-z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>a1(i,e,t),unit:"m"}});function a1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
+z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>c1(i,e,t),unit:"m"}});function c1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
 map((r,o)=>[r,o]));let n=t.rows.get(i.step[e]),s=n===void 0?[null]:["x","y","z"].map(r=>i[r][e]===null||t[r][n]===null?null:i[r][e]-t[r][n]);return s.includes(null)?
-null:Math.hypot(...s)}var l1=ji({"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e}),c1=ji({"\u2265":">=","\u2264":"<=","==":"="});
-function p0(i,e=[]){let t=i.trim();if(t==="")return{kind:"none"};let n=/^step\s+(\d+)$/i.exec(t);if(n)return{kind:"step",step:Number(n[1])};let s=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.
-exec(t);if(!s)return{kind:"body",text:t};let r=s[1].trim(),o=r.toLowerCase(),a=s[3].replace(/\s*(m\/s|rad\/s|m|J)\s*$/,""),l=Number(a),c=c1[s[2]]??s[2],d=a===""||
+null:Math.hypot(...s)}var h1=ji({"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e}),u1=ji({"\u2265":">=","\u2264":"<=","==":"="});
+function g0(i,e=[]){let t=i.trim();if(t==="")return{kind:"none"};let n=/^step\s+(\d+)$/i.exec(t);if(n)return{kind:"step",step:Number(n[1])};let s=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.
+exec(t);if(!s)return{kind:"body",text:t};let r=s[1].trim(),o=r.toLowerCase(),a=s[3].replace(/\s*(m\/s|rad\/s|m|J)\s*$/,""),l=Number(a),c=u1[s[2]]??s[2],d=a===""||
 !Number.isFinite(l)?{kind:"wrong",words:'"'.concat(s[3],'" is no number')}:null,u=e.includes(r)?null:/^(.+?)\s+of\s+(.+)$/i.exec(r);if(u){let h=u[1].toLowerCase();
 if(!(h in fo)&&e.includes(u[1]))return d??{kind:"channel steps",quantity:u[1],body:u[2],comparison:c,bound:l};if(!(h in fo)){let f=[...Object.keys(fo),...e].join(
 ", ");return{kind:"wrong",words:'"'.concat(u[1],'" is no quantity of a body; there are ').concat(f)}}return d??{kind:"body steps",quantity:h,body:u[2],comparison:c,
 bound:l}}if(!(o in uo)&&!e.includes(r)){let h=[...Object.keys(uo),...e].join(", ");return{kind:"wrong",words:'"'.concat(r,'" is no quantity; there are ').concat(
-h)}}return d??{kind:"steps",quantity:o in uo?o:r,comparison:c,bound:l}}function m0(i,e,t){let{of:n,body:s}=uo[i.quantity]??{of:(r,o)=>e.channels[i.quantity]?.[o]??
-null};return Pd(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function g0(i,e,t){let{of:n}=fo[i.quantity];return Pd(i,e.step,s=>n(e,s,t),()=>null)}function Rd(i,e){return Pd(
-i,e.step,t=>e.value[t],()=>null)}function Pd(i,e,t,n){let s=l1[i.comparison],r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,!(d&&s(c,
+h)}}return d??{kind:"steps",quantity:o in uo?o:r,comparison:c,bound:l}}function _0(i,e,t){let{of:n,body:s}=uo[i.quantity]??{of:(r,o)=>e.channels[i.quantity]?.[o]??
+null};return Id(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function x0(i,e,t){let{of:n}=fo[i.quantity];return Id(i,e.step,s=>n(e,s,t),()=>null)}function Pd(i,e){return Id(
+i,e.step,t=>e.value[t],()=>null)}function Id(i,e,t,n){let s=h1[i.comparison],r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,!(d&&s(c,
 i.bound))){a=null;continue}a||(a={first:e[l],last:e[l],peak:c,at:e[l],body:n(l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(
-a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var ah=12;function h1(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function _0(i){let e=X(
-"input",{type:"search",placeholder:"speed > 5, speed of 12 > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by \
-a condition, or for a body by id or name");let t=X("output",{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:f}=i.
-sessions[0],p=f.find(s.text);return t.value=p.length===0?"no such body":"".concat(p.length," bod").concat(p.length===1?"y":"ies"),n.replaceChildren(...p.slice(0,
-ah).map(y=>X("li",{},kn(f.label(f.id(y)),()=>i.select(f.id(y))),f.label(f.id(y)).includes(f.name(y))?"":" ".concat(f.name(y))))),i.set_hits([]),p},a=()=>{let{rows:f,
-timeline_done:p,unread:y}=i.sessions[0];return y?(t.value="the timeline was not read: ".concat(y),r=[],n.replaceChildren(),i.set_hits([]),[]):d(m0(s,f,m=>i.separation_at(
-m)),uo[s.quantity]?.unit??"",p)},l=async f=>{let p=s,y=i.sessions.map(({bodies:S})=>S.find(p.body).map(_=>S.id(_))),m=[...new Set(y.flat())];if(m.length!==1)return t.
-value=m.length===0?'no body "'.concat(p.body,'"'):"".concat(m.length,' bodies answer to "').concat(p.body,'"; wanted one'),n.replaceChildren(),i.set_hits([]),[];
-let{unit:g}=fo[p.quantity],x=p.quantity==="separation"&&i.sessions.length===2,w=[null,null],b=[],C=S=>s!==p?!1:(w[0]&&(!x||w[1])&&(b=d(g0(p,...w),g,S)),!0);try{
-for(let S of x?[1,0]:[0]){let _=S===0;if(w[S]=await i.sessions[S].history(m[0],M=>(w[S]=M,C(!1)&&s===p)),!C(_))return[]}f&&i.selected!==m[0]&&i.select(m[0])}catch(S){
-s===p&&(t.value=S.message)}return b},c=async()=>{let f=s,[p]=i.sessions,y=p.rows.channel_heads.findIndex(({name:_})=>_===f.quantity),{of:m,unit:g}=p.rows.channel_heads[y],
-x=_=>{t.value=_,n.replaceChildren(),i.set_hits([])},w=m==="pairs"?f.body.split(/\s+and\s+/i):[f.body];if(m==="step")return x('"'.concat(f.quantity,'" is a chann\
-el of the step, not of a body'));if(m==="pairs"&&w.length!==2)return x('"'.concat(f.quantity,'" is a channel of pairs: ').concat(f.quantity," of 1 and 2 > 0"));
-if(!p.channel_history)return x("this page has no channels of single bodies; a served page (tumble view without -o) has");let b=w.map(_=>p.bodies.find(_));for(let[
-_,M]of b.entries())if(M.length!==1)return x(M.length===0?'no body "'.concat(w[_],'"'):"".concat(M.length,' bodies answer to "').concat(w[_],'"; wanted one'));let[
-C,S]=b.map(([_])=>p.bodies.id(_));try{let _=await p.channel_history(y,C,S??0,M=>(s===f&&d(Rd(f,M),g,!1),s===f));s===f&&d(Rd(f,_),g,!0)}catch(_){s===f&&x(_.message)}},
-d=({runs:f,judged:p},y,m)=>{let g=m?"":" so far",x=i.sessions[0].rows.unread_count(),w=p===0?"no step has a value of it".concat(g):"in no step".concat(g);return t.
-value=(f.length===0?w:"".concat(f.length," run").concat(f.length===1?"":"s"," of steps").concat(g,", the first at ").concat(f[0].first))+(x===0?"":x===1?"; 1 st\
-ep was not read":"; ".concat(x," steps were not read")),r=f.slice(0,ah).map(b=>{let C=b.first===b.last?"step ".concat(b.first):"steps ".concat(b.first," to ").concat(
-b.last),S=X("li",{},kn(C,()=>i.player.seek(b.first)),": up to ",kn("".concat(h1(b.peak,y)),()=>i.player.seek(b.at),"at step ".concat(b.at)));return b.body&&S.append(
-", ",kn(i.sessions[0].bodies.label(b.body),()=>i.select(b.body))),S}),n.replaceChildren(...r),f.length>ah&&n.append(X("li",{className:"soft",textContent:"and ".
-concat(f.length-ah," more")})),i.set_hits(f),f},u=()=>(r=[],s=p0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():s.kind===
-"body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?l(!0):c(),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to st\
-ep ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",u),e.addEventListener("keydown",f=>{if(f.key==="Escape"&&e.blur(),f.key===
-"Enter"){if(f.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="body steps"||s.kind==="channel steps")i.next_hit(f.shiftKey?
--1:1);else if(s.kind==="body"){let[p]=u();p!==void 0&&i.select(i.sessions[0].bodies.id(p))}}});let h=(f,p,y)=>{let m=X("button",{type:"button",textContent:f,title:p});
-return m.setAttribute("aria-label",p),m.addEventListener("click",()=>i.next_hit(y)),m};return{place:X("div",{className:"search"},X("div",{className:"search-row"},
-e,h("\u2039","the run of steps before (N)",-1),h("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(f){r.forEach((p,y)=>p.classList.toggle("at",
-y===f))},again(){if(s.kind==="steps"){let f=i.hit;a(),i.hit=f}else s.kind==="body steps"?l(!1):s.kind==="channel steps"&&c()}}}var u1=["box","grid","tower","pyramid","wall","pile","thrown"];var d1=["crate","brick","wood","concrete","white"],po=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
+a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var lh=12;function d1(i,e){return Number.isFinite(i)?e==="m"?An(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}
+function f1({thin:i},e){return!i||e===""?"":e==="m"?"; places are rounded to ".concat(An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}
+function y0(i){let e=X("input",{type:"search",placeholder:"speed > 5, speed of 12 > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label",
+"search for steps by a condition, or for a body by id or name");let t=X("output",{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},
+r=[],o=()=>{let{bodies:p}=i.sessions[0],y=p.find(s.text);return t.value=y.length===0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.
+replaceChildren(...y.slice(0,lh).map(g=>X("li",{},zn(p.label(p.id(g)),()=>i.select(p.id(g))),p.label(p.id(g)).includes(p.name(g))?"":" ".concat(p.name(g))))),i.
+set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:g}=i.sessions[0];return g?(t.value="the timeline was not read: ".concat(g),r=[],n.replaceChildren(),i.set_hits(
+[]),[]):u(_0(s,p,m=>i.separation_at(m)),uo[s.quantity]?.unit??"",y)},l=p=>i.sessions.slice(0,p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,
+g=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),m=[...new Set(g.flat())];if(m.length!==1)return t.value=m.length===0?'no body "'.concat(y.body,'"'):
+"".concat(m.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),i.set_hits([]),[];let{unit:x}=fo[y.quantity],w=y.quantity==="separa\
+tion"&&i.sessions.length===2,b=[null,null],C=[],S=_=>s!==y?!1:(b[0]&&(!w||b[1])&&(C=u(x0(y,...b),x,_,f1(i.sessions[0],x))),!0);try{for(let _ of w?[1,0]:[0]){let M=_===
+0;if(b[_]=await i.sessions[_].history(m[0],R=>(b[_]=R,S(!1)&&s===y)),!S(M&&l(w)))return[]}p&&i.selected!==m[0]&&i.select(m[0])}catch(_){s===y&&(t.value=_.message)}
+return C},d=async()=>{let p=s,[y]=i.sessions,g=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),{of:m,unit:x}=y.rows.channel_heads[g],w=M=>{t.value=M,
+n.replaceChildren(),i.set_hits([])},b=m==="pairs"?p.body.split(/\s+and\s+/i):[p.body];if(m==="step")return w('"'.concat(p.quantity,'" is a channel of the step, \
+not of a body'));if(m==="pairs"&&b.length!==2)return w('"'.concat(p.quantity,'" is a channel of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!y.channel_history)
+return w("this page has no channels of single bodies; a served page (tumble view without -o) has");let C=b.map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.
+length!==1)return w(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' bodies answer to "').concat(b[M],'"; wanted one'));let[S,_]=C.map(([M])=>y.bodies.
+id(M));try{let M=await y.channel_history(g,S,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&w(M.message)}},u=({runs:p,judged:y},g,m,x="")=>{
+let w=m?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"no step has a value of it".concat(w):"in no step".concat(w);return t.value=(p.length===0?C:"".
+concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(w,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(
+b," steps were not read"))+x,r=p.slice(0,lh).map(S=>{let _=S.first===S.last?"step ".concat(S.first):"steps ".concat(S.first," to ").concat(S.last),M=X("li",{},zn(
+_,()=>i.player.seek(S.first)),": up to ",zn("".concat(d1(S.peak,g)),()=>i.player.seek(S.at),"at step ".concat(S.at)));return S.body&&M.append(", ",zn(i.sessions[0].
+bodies.label(S.body),()=>i.select(S.body))),M}),n.replaceChildren(...r),p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," m\
+ore")})),i.set_hits(p),p},h=()=>(r=[],s=g0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind===
+"channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",
+n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener("keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),
+s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="body steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="bo\
+dy"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,g)=>{let m=X("button",{type:"button",textContent:p,title:y});return m.setAttribute(
+"aria-label",y),m.addEventListener("click",()=>i.next_hit(g)),m};return{place:X("div",{className:"search"},X("div",{className:"search-row"},e,f("\u2039","the ru\
+n of steps before (N)",-1),f("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(p){r.forEach((y,g)=>y.classList.toggle("at",g===p))},again(){if(s.
+kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="channel steps"&&d()}}}var p1=["box","grid","tower","pyramid","wall","pile","thrown"];var m1=["crate","brick","wood","concrete","white"],po=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
-return this.json.static[e]===1}texture(e){return d1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
-...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=u1[n]??"body";return n===
+return this.json.static[e]===1}texture(e){return m1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
+...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=p1[n]??"body";return n===
 0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}label(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n===
 ""?"body ".concat(e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n!==
 ""&&e>=4503599627370496?n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?
 []:[r]}let n=[...this.rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).
-toLowerCase().includes(t)&&s.push(r);return s}};var x0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],mo=class{constructor(e=[]){
-this.channel_heads=e;for(let t of x0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(t),this.events=[],this.begun_why_not="",this.channels=ji(),this.bounds=
-[]}get count(){return this.step.length}append(e){for(let t of x0)this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(
-this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.
-channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;
-let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;
-return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){
-if(this.read[t]!==0)continue;let n=e.at(-1),s=t+1<this.count?this.step[t+1]-1:this.step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record \
-with it is damaged"])}return e}unread_count(){return this.unread().reduce((e,[t,n])=>e+n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),
-0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===
-null?null:this.kinetic[e]+this.potential[e]}};var f1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function b0(i){if(!("DecompressionStream"in window))
-throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([f1(i)]).stream().pipeThrough(new DecompressionStream("def\
-late"));return new Response(e).arrayBuffer()}var y0=async i=>JSON.parse(new TextDecoder().decode(await b0(i))),v0=i=>i>>>1^-(i&1);function p1(i,e,t,n){let s=e*t,
+toLowerCase().includes(t)&&s.push(r);return s}};var v0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function Ea(i,e){for(let t of e)
+i.push(typeof t=="string"?Number(t):t)}var mo=class{constructor(e=[]){this.channel_heads=e;for(let t of v0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(
+t),this.events=[],this.begun_why_not="",this.channels=ji(),this.bounds=[]}get count(){return this.step.length}append(e){for(let t of v0)Ea(this[t],e[t]);e.bounds.
+forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.
+push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(
+null);Ea(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.
+step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>
+0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1),s=t+1<this.count?this.step[t+1]-1:this.
+step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record with it is damaged"])}return e}unread_count(){return this.unread().reduce((e,[t,n])=>e+
+n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.
+step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var g1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function S0(i){if(!("DecompressionStream"in window))
+throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([g1(i)]).stream().pipeThrough(new DecompressionStream("def\
+late"));return new Response(e).arrayBuffer()}var b0=async i=>JSON.parse(new TextDecoder().decode(await S0(i))),M0=i=>i>>>1^-(i&1);function _1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=v0(y)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
-t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=v0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
-e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Id=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new po(t.bodies),this.rows=new mo(e.channels),this.
+e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,g=M0(y)+2*u-h|0;h=u,u=g,l[f*t+c]=g*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=M0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
+e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ld=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new po(t.bodies),this.rows=new mo(e.channels),this.
 rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
-this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=p1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
+this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=_1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
 map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
@@ -4215,92 +4217,92 @@ speed:[],asleep:[]};for(let s of t===void 0?[]:this.steps){let r=this.frame(s),o
 push(o?r[a][t]:null);n.asleep.push(o?+(r.mark[t]===2):null)}return n}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===
 or)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"\
 orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y","z"].map(a=>({
-field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function M0(i){let e=[];
-for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([y0("session-".concat(n,"-details")),b0("session-".concat(n,"-frames"))]);e.push(new Id(s,r,o))}let t=document.
-getElementById("session-0-difference")?await y0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var m1=16e7,Ld=24,g1=700,_1=120;async function S0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
-if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await S0(i,e)).json();function x1(i){let e=new DataView(
+field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function w0(i){let e=[];
+for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([b0("session-".concat(n,"-details")),S0("session-".concat(n,"-frames"))]);e.push(new Ld(s,r,o))}let t=document.
+getElementById("session-0-difference")?await b0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var x1=16e7,Nd=24,y1=700,v1=120;async function T0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await T0(i,e)).json();function b1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(y=>e.getUint32(n+y,!0));n+=16;let l=[0,1,2,3].map(y=>new Float32Array(i,n+4*y*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
-mark:d})}return t}var Nd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new po(n),this.rows=new mo(t.channels),this.steps=null,this.
+mark:d})}return t}var Dd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new po(n),this.rows=new mo(t.channels),this.steps=null,this.
 timeline_done=!1,this.note="",this.unread="",this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[
 ...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.
 index(e);return t<0?(e-this.head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*
-e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=m1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
-64}}async fetch(e,t,n){let s=await S0("frames",{log:this.log,first:e,count:t,stride:n}),r=x1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(
+e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=x1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
+64}}async fetch(e,t,n){let s=await T0("frames",{log:this.log,first:e,count:t,stride:n}),r=b1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(
 a=>a.version))>this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await ii("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){
-return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Ld/2&&this.
-cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Ld-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.
-asked.add(r),this.fetch(r,Ld,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.
+return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Nd/2&&this.
+cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Nd-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.
+asked.add(r),this.fetch(r,Nd,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.
 size>64&&this.contact_cache.clear(),this.contact_cache.set(e,await ii("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)}async history(e,t){this.histories??=
 new Map;let n=this.histories.get(e)??{id:e,next:this.head.first,step:[],x:[],y:[],z:[],speed:[],spin:[],asleep:[]};for(this.histories.size>16&&this.histories.clear(),
 this.histories.set(e,n);n.next<=this.head.last;){let s=n.next,r=await ii("history",{log:this.log,id:e,from:s});if(r.why_not)throw new Error(r.why_not);if(n.next===
-s){for(let o of["step","x","y","z","speed","spin","asleep"])n[o].push(...r[o]);if(n.next=r.next,n.rows=void 0,r.next===s||!t(n))break}}return n}async channel_history(e,t,n,s){
+s){for(let o of["step","x","y","z","speed","spin","asleep"])Ea(n[o],r[o]);if(n.next=r.next,n.rows=void 0,r.next===s||!t(n))break}}return n}async channel_history(e,t,n,s){
 this.channel_histories??=new Map;let r="".concat(e," ").concat(t," ").concat(n),o=this.channel_histories.get(r)??{next:this.head.first,step:[],value:[]};for(this.
 channel_histories.size>16&&this.channel_histories.clear(),this.channel_histories.set(r,o);o.next<=this.head.last;){let a=o.next,l=await ii("channel",{log:this.log,
-channel:e,a:t,b:n,from:a});if(l.why_not)throw new Error(l.why_not);if(o.next===a){for(let c of["step","value"])o[c].push(...l[c]);if(o.next=l.next,l.next===a||!s(
-o))break}}return o}way(e){return ii("way",{log:this.log,id:e})}body_at(e,t){return ii("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return ii("blame",{log:this.
+channel:e,a:t,b:n,from:a});if(l.why_not)throw new Error(l.why_not);if(o.next===a){for(let c of["step","value"])Ea(o[c],l[c]);if(o.next=l.next,l.next===a||!s(o))
+break}}return o}way(e){return ii("way",{log:this.log,id:e})}body_at(e,t){return ii("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return ii("blame",{log:this.
 log,step:e,id:t,field:n,back:s})}async take_news(){let e=await ii("news",{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=
 await ii("head",{log:this.log})),e.version>this.bodies.version&&await this.fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await ii("timeline",{log:this.
 log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),this.rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.
 length<Math.min(e.begun,this.rows.count);){let s=await ii("begun",{log:this.log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=
 !0}for(let s of["note","unread"])e[s]!==this[s]&&(n=!0),this[s]=e[s];return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=e.contacts_why_not,
-this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function w0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Nd(s,
+this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function A0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Dd(s,
 n,await ii("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
 take_news()||l;o||(r=await ii("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
-u.busy);(c||d)&&setTimeout(a,d&&!c?_1:g1)};a()}}}var y1=30,v1=22,T0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function A0(i){let e=Math.min(devicePixelRatio,
+u.busy);(c||d)&&setTimeout(a,d&&!c?v1:y1)};a()}}}var M1=30,S1=22,E0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function C0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
-"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function b1(i,e,t,n){let s=new Float64Array(Math.
+"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function w1(i,e,t,n){let s=new Float64Array(Math.
 ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(
-s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function M1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
+s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function T1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
 i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=
-s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function S1(i,e,t,n,s,r){let{context:o,width:a,height:l}=A0(i),c=b1(t,e.of,n,a),d=M1(c,e,t);if(!d)return!1;let u=e.log?
+s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function A1(i,e,t,n,s,r){let{context:o,width:a,height:l}=C0(i),c=w1(t,e.of,n,a),d=T1(c,e,t);if(!d)return!1;let u=e.log?
 x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
 r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.
-fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,m=0,g=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(g=x,p(c.high[x])),
-y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),m=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
-m,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function E0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
-group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=T0(v1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
+fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,g=0,m=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(m=x,p(c.high[x])),
+y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),g=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
+g,l),o.lineTo(m,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function R0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
+group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=E0(S1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
 Math.max(1,e().last-e().first)*(x-1),h=(x,w,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),w),b),f=x=>{c=x.map(
-w=>{let b=T0(y1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
-o)},p=()=>{let{context:x,width:w,height:b}=A0(a),C=s(),{gaps:S,inputs:_,hits:M,first_difference:P}=n(),R=u(w);x.fillStyle=C.line,x.fillRect(0,b/2-1,w,2);for(let[
-I,F]of S)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(R(I),2,Math.max(2,R(F)-R(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(R(I.first),
-b-7,Math.max(2,R(I.last)-R(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){let F=R(I);x.beginPath(),x.moveTo(F-4,1),x.lineTo(F+4,1),x.lineTo(F,9),x.fill()}P!==
-null&&(x.fillStyle=C.bad,x.fillRect(R(P)-1,0,2,b),x.beginPath(),x.moveTo(R(P)+1,0),x.lineTo(R(P)+9,4),x.lineTo(R(P)+1,8),x.fill())},y=()=>{let x=i.index(d),w=i.
+w=>{let b=E0(M1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
+o)},p=()=>{let{context:x,width:w,height:b}=C0(a),C=s(),{gaps:S,inputs:_,hits:M,first_difference:R}=n(),P=u(w);x.fillStyle=C.line,x.fillRect(0,b/2-1,w,2);for(let[
+I,F]of S)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(P(I),2,Math.max(2,P(F)-P(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(P(I.first),
+b-7,Math.max(2,P(I.last)-P(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){let F=P(I);x.beginPath(),x.moveTo(F-4,1),x.lineTo(F+4,1),x.lineTo(F,9),x.fill()}R!==
+null&&(x.fillStyle=C.bad,x.fillRect(P(R)-1,0,2,b),x.beginPath(),x.moveTo(P(R)+1,0),x.lineTo(P(R)+9,4),x.lineTo(P(R)+1,8),x.fill())},y=()=>{let x=i.index(d),w=i.
 reaches(d)?x:-1;for(let{lane:S,value:_}of c)_.textContent=w<0||i.step[w]===void 0?"\u2013":S.words(i,w);let b=n().inputs.filter(S=>S.step===d);l.textContent=b.length>
 0?b.map(({kind:S,body:_})=>"".concat(S).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
-offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},m=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
-let _=S1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},g=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
+offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},g=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
+let _=A1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},m=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
 b=Math.min(1,Math.max(0,(x.clientX-w.left)/Math.max(1,w.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
-x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),g(x))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,
-show(x){d=x,y()}}}function C0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
-addEventListener("click",()=>{y(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),m(x))}),r.addEventListener("pointermove",m),new ResizeObserver(g).observe(r),{place:r,draw:g,set_lanes:f,
+show(x){d=x,y()}}}function P0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let g=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return g.
+addEventListener("click",()=>{y(),u()}),{made:g,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
 r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"\
 Whole scene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(
 f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar",role:"group",ariaLabel:"what is drawn"},X("label",{},"Colour by ",
-s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var w1=60,Dd=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
+s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var E1=60,Ud=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
 sessions)s.label=o=>r.label(o);this.steps=new ar(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
-this.player=eh({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=e0(this),this.view=X("div",{className:"view3\
-d"}),this.said=X("output",{className:"said"}),this.told=X("output",{className:"told",ariaLabel:"what has happened"}),this.drawing=new sh(this.view,this.sessions,
-s=>this.select(s)),this.timeline=E0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Ki,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
-new rh(this):null,this.search=_0(this),this.side=new oh(this),this.toolbar=C0(this),this.keys=a0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
+this.player=th({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=t0(this),this.view=X("div",{className:"view3\
+d"}),this.said=X("output",{className:"said"}),this.told=X("output",{className:"told",ariaLabel:"what has happened"}),this.drawing=new rh(this.view,this.sessions,
+s=>this.select(s)),this.timeline=R0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Ki,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
+new oh(this):null,this.search=y0(this),this.side=new ah(this),this.toolbar=P0(this),this.keys=l0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
 ork"},X("section",{className:"shown",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.told,this.player.bar,this.timeline.place),X("aside",
 {ariaLabel:"search and numbers"},this.search.place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.
 sessions.length===2&&this.side.show_difference()}union_of_steps(){return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-
 t):null}async start(){let e=/(?:^#|&)step=(\d+)/.exec(location.hash),t=/(?:^#|&)body=(\d+)/.exec(location.hash),n=this.steps.at_or_before(e?Number(e[1]):this.steps.
 first);this.drawing.frames=await Promise.all(this.sessions.map(s=>s.frame_soon(n).catch(()=>null))),this.drawing.start(),this.player.seek(n),this.player.refresh(),
 t&&this.select(Number(t[1]));for(let s of this.sessions)s.on_bodies=()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(
-this.view),$a(()=>{this.drawing.restart(),this.timeline.draw()}),this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){
+this.view),qa(()=>{this.drawing.restart(),this.timeline.draw()}),this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){
 let[{rows:e}]=this.sessions;return{gaps:this.sessions.flatMap(t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null}}set_lanes(){
-let{rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...h0(this.bounds),...c0,...u0(e)];this.difference?.separation&&t.unshift(f0(this.difference.separation)),
+let{rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...d0(this.bounds),...u0,...f0(e)];this.difference?.separation&&t.unshift(m0(this.difference.separation)),
 this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??
 1/0])),this.separations.get(e)??null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.
 difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&
 this.player.seek(n),this.header.show(),this.side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.
 asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.
-player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),w1)}own_step(e,t){
+player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),E1)}own_step(e,t){
 return new ar(e.head.first,e.head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.
 now(),r=await Promise.all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,
 (t===this.asked||this.player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;
@@ -4318,14 +4320,14 @@ this.player.refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_p
 label(e)," is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().
 catch(t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.
 first?.step;e!==void 0&&this.player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+
-e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function R0(i){
-try{let e=JSON.parse(document.getElementById("session-head").textContent),t=await(e.mode==="sent"?M0:w0)(e);await new Dd(i,{...t,bounds:e.bounds??[]}).start()}catch(e){
-throw i.append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function T1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
-groups??"").split(" "),s=Lp(i,e,{first:t,groups:n}),r=Jg(i,e,s.show_step);$a(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function A1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Ud(i){return e=>{
-try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var I0=document.createElement(
-"style");I0.textContent=tf+nf+sf;document.head.append(I0);for(let i of document.querySelectorAll("table.glance"))Ud(Bp)(i);for(let i of document.querySelectorAll(
-".drawing"))A1(i,Ud(T1));for(let i of document.querySelectorAll(".pictures"))Ud(Np)(i);var P0=document.getElementById("session");P0&&R0(P0);})();
+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function I0(i){
+try{let e=JSON.parse(document.getElementById("session-head").textContent),t=await(e.mode==="sent"?w0:A0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){
+throw i.append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function C1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+groups??"").split(" "),s=Np(i,e,{first:t,groups:n}),r=Kg(i,e,s.show_step);qa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
+i)}function R1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
+try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var N0=document.createElement(
+"style");N0.textContent=nf+sf+rf;document.head.append(N0);for(let i of document.querySelectorAll("table.glance"))Fd(kp)(i);for(let i of document.querySelectorAll(
+".drawing"))R1(i,Fd(C1));for(let i of document.querySelectorAll(".pictures"))Fd(Dp)(i);var L0=document.getElementById("session");L0&&I0(L0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

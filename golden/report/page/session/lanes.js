@@ -4,6 +4,9 @@ import { joules, metres } from "../theme.js";
 const count = (value) => (value === null || value === undefined ? "–" : String(value));
 const speed = (value) => (value === null || value === undefined ? "–" : `${Number(value.toPrecision(4))} m/s`);
 
+const digits = (value, unit) => (value === null ? "–" : !Number.isFinite(value) ? `${value < 0 ? "−" : ""}infinite`
+  : `${Number(value.toPrecision(6))}${unit ? ` ${unit}` : ""}`);
+
 const share_text = (rows, i) => (rows.read[i] ? `${rows.sleeping[i]} of ${rows.bodies[i]}` : "–");
 
 /// kind: "line", "area", "bars"; of(rows, i): the number, or null. Lanes without a number anywhere are left out.
@@ -42,7 +45,7 @@ export const bound_lanes = (texts) => texts.map((text, b) => ({
 /// Lanes for the channels that a log carries besides; of those of bodies and pairs, the largest value in each step.
 export const channel_lanes = (rows) => rows.channel_heads.map(({ name, unit, of: whose }) => {
   const of = (all, i) => all.channels[name]?.[i] ?? null;
-  const words = (all, i) => (of(all, i) === null ? "–" : `${Number(of(all, i).toPrecision(6))}${unit ? ` ${unit}` : ""}`);
+  const words = (all, i) => digits(of(all, i), unit);
   const most = whose === "step" ? "" : `, largest of ${whose}`;
   return { name: `${name}${most}`, kind: "line", fit: true, title: `channel ${name}${most}`, of, words };
 });
@@ -54,7 +57,7 @@ export function owner_lane(name, unit, history) {
     while (at.size < history.step.length) at.set(history.step[at.size], history.value[at.size]);
     return at.get(rows.step[i]) ?? null;
   };
-  const words = (rows, i) => (of(rows, i) === null ? "–" : `${Number(of(rows, i).toPrecision(6))}${unit ? ` ${unit}` : ""}`);
+  const words = (rows, i) => digits(of(rows, i), unit);
   return { name, kind: "line", fit: true, title: `channel ${name}`, of, words };
 }
 

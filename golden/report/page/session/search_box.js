@@ -6,9 +6,15 @@ import { link } from "./panels.js";
 const kShown = 12;
 
 function value_text(value, unit) {
-  if (!Number.isFinite(value)) return "infinite";
+  if (!Number.isFinite(value)) return value < 0 ? "−infinite" : "infinite";
   if (unit === "m") return metres(value);
   return `${Number(value.toPrecision(4))}${unit ? ` ${unit}` : ""}`;
+}
+
+/// What a page to send compares of single bodies is rounded.
+function rounded({ thin }, unit) {
+  if (!thin || unit === "") return "";
+  return unit === "m" ? `; places are rounded to ${metres(thin.quantum)}` : `; speeds are made of places rounded to ${metres(thin.quantum)}`;
 }
 
 export function make_search(page) {
@@ -39,6 +45,8 @@ export function make_search(page) {
     }
     return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), kQuantities[query.quantity]?.unit ?? "", timeline_done);
   };
+  /// Whether nothing can be added to what a search of single bodies has read.
+  const asks_finished = (two) => page.sessions.slice(0, two ? 2 : 1).every(({ head }) => head.finished || !page.served);
   /// Reads the history of a body in turn, and shows what was found so far.
   const show_body_runs = async (is_new) => {
     const asked = query;
@@ -56,14 +64,14 @@ export function make_search(page) {
     let runs = [];
     const show = (done) => {
       if (query !== asked) return false;
-      if (histories[0] && (!two || histories[1])) runs = list_runs(find_body_runs(asked, ...histories), unit, done);
+      if (histories[0] && (!two || histories[1])) runs = list_runs(find_body_runs(asked, ...histories), unit, done, rounded(page.sessions[0], unit));
       return true;
     };
     try {
       for (const s of two ? [1, 0] : [0]) {
         const last = s === 0;
         histories[s] = await page.sessions[s].history(found[0], (history) => { histories[s] = history; return show(false) && query === asked; });
-        if (!show(last)) return [];
+        if (!show(last && asks_finished(two))) return [];
       }
       if (is_new && page.selected !== found[0]) page.select(found[0]);
     } catch (error) {
@@ -96,18 +104,18 @@ export function make_search(page) {
         if (query === asked) list_runs(find_channel_runs(asked, more), unit, false);
         return query === asked;
       });
-      if (query === asked) list_runs(find_channel_runs(asked, history), unit, true);
+      if (query === asked) list_runs(find_channel_runs(asked, history), unit, asks_finished(false));
     } catch (error) {
       if (query === asked) refuse(error.message);
     }
     return undefined;
   };
-  const list_runs = ({ runs, judged }, unit, whole) => {
+  const list_runs = ({ runs, judged }, unit, whole, note = "") => {
     const partly = whole ? "" : " so far";
     const unread = page.sessions[0].rows.unread_count();
     const none = judged === 0 ? `no step has a value of it${partly}` : `in no step${partly}`;
     said.value = (runs.length === 0 ? none : `${runs.length} run${runs.length === 1 ? "" : "s"} of steps${partly}, the first at ${runs[0].first}`) +
-      (unread === 0 ? "" : unread === 1 ? "; 1 step was not read" : `; ${unread} steps were not read`);
+      (unread === 0 ? "" : unread === 1 ? "; 1 step was not read" : `; ${unread} steps were not read`) + note;
     items = runs.slice(0, kShown).map((run) => {
       const where = run.first === run.last ? `step ${run.first}` : `steps ${run.first} to ${run.last}`;
       const made = element("li", {}, link(where, () => page.player.seek(run.first)), ": up to ",

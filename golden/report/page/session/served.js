@@ -1,6 +1,6 @@
 // Where a served page has its sessions from: it asks its server, tumble view, for what it shows.
 import { BodyTable } from "./bodies_table.js";
-import { TimelineRows } from "./timeline_rows.js";
+import { add_values, TimelineRows } from "./timeline_rows.js";
 
 const kCacheBytes = 160e6;   // of frames
 const kBatch = 24;           // frames asked for at once while playing
@@ -127,7 +127,7 @@ class ServedSession {
       const more = await ask_json("history", { log: this.log, id, from });
       if (more.why_not) throw new Error(more.why_not);
       if (history.next !== from) continue;  // another question has read on
-      for (const name of ["step", "x", "y", "z", "speed", "spin", "asleep"]) history[name].push(...more[name]);
+      for (const name of ["step", "x", "y", "z", "speed", "spin", "asleep"]) add_values(history[name], more[name]);
       history.next = more.next;
       history.rows = undefined;
       if (more.next === from || !told(history)) break;
@@ -148,7 +148,7 @@ class ServedSession {
       const more = await ask_json("channel", { log: this.log, channel, a, b, from });
       if (more.why_not) throw new Error(more.why_not);
       if (history.next !== from) continue;  // another question has read on
-      for (const name of ["step", "value"]) history[name].push(...more[name]);
+      for (const name of ["step", "value"]) add_values(history[name], more[name]);
       history.next = more.next;
       if (more.next === from || !told(history)) break;
     }

@@ -4,6 +4,11 @@ import { by_name } from "../theme.js";
 const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "contacts", "bodies", "sleeping", "lost",
   "speed", "speed_body", "height", "overlap"];
 
+/// Adds a reply's values to a column: numbers, null, and infinite ones as "Infinity", which JSON has no number for.
+export function add_values(column, values) {
+  for (const value of values) column.push(typeof value === "string" ? Number(value) : value);
+}
+
 export class TimelineRows {
   /// channels: those of the log's head, [{name, unit, of}].
   constructor(channels = []) {
@@ -21,7 +26,7 @@ export class TimelineRows {
 
   /// json: timeline_json() of the program.
   append(json) {
-    for (const name of kColumns) this[name].push(...json[name]);
+    for (const name of kColumns) add_values(this[name], json[name]);
     json.bounds.forEach(({ value, broken }, b) => {
       // Rows before the first that was judged have no entry.
       const bound = this.bounds[b] ??= { value: new Array(this.count - value.length).fill(null), broken: new Array(this.count - value.length).fill(null) };
@@ -32,7 +37,7 @@ export class TimelineRows {
       const { name } = this.channel_heads[c];
       const column = this.channels[name] ??= [];
       while (column.length < this.count - values.length) column.push(null);
-      column.push(...values);
+      add_values(column, values);
     });
   }
 
