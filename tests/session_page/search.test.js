@@ -105,6 +105,36 @@ test("conditions are about exact values, also infinite ones", async () => {
   });
 });
 
+test("a condition may have the unit of its quantity, and no other", async () => {
+  writeFileSync(sessions.path("units.csv"), "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z," +
+    "orientation.w,orientation.x,orientation.y,orientation.z,channel.heat (K)\n0,wheel,0,0,1,1,0,0,0,7\n1,wheel,0,0,1,1,0,0,0,9\n");
+  sessions.run("import", "units.csv", "-o", "units.tumble");
+  await both("units.tumble", async (page, kind) => {
+    await search(page, "heat > 7 K", "1 run of steps, the first at 1");
+    assert.equal(await hits(page), "step 1: up to 9 K");
+    await search(page, "heat < 7.5K", "1 run of steps, the first at 0");
+    assert.equal(await hits(page), "step 0: down to 7 K");
+    await search(page, "heat = 7 K", "1 run of steps, the first at 0");
+    assert.equal(await hits(page), "step 0: 7 K");
+    await search(page, "heat > 7 m", `"m" is not the unit of heat, which is in K`);
+    await search(page, "bodies > 7 m", `"m" is not the unit of bodies, which has none`);
+    if (kind === "served") await search(page, "heat of wheel >7 K", "1 run of steps, the first at 1");
+  });
+});
+
+test("a page goes where its address says, also when that is typed anew", async () => {
+  const { address, child } = await sessions.serve("long.tumble");
+  const page = await open(`${address}#step=5`);
+  const until = (words) => page.locator("output.said", { hasText: words }).waitFor();
+  await until("step 5 ");
+  await page.evaluate(() => { location.hash = "#step=50&body=900"; });
+  await until("step 50 ");
+  await page.locator(".panel h2", { hasText: "Body" }).waitFor();
+  await eventually(page, () => page.locator("aside").textContent(), (words) => words.includes("Body 900"), "the body named");
+  await page.context().close();
+  child.kill("SIGINT");
+});
+
 test("what is still being recorded is answered so far", async () => {
   const recorder = sessions.start("record", "scene.toml", "-o", "young.tumble", "--realtime", "--seconds", "600");
   await sessions.until_readable("young.tumble");

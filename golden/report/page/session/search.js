@@ -4,7 +4,7 @@
 import { by_name } from "../theme.js";
 
 // What a condition may be about: its value in row i of the timeline, and its unit.
-export const kQuantities = by_name({
+const kQuantities = by_name({
   speed: { of: (rows, i) => rows.speed[i], unit: "m/s", body: (rows, i) => rows.speed_body[i] },
   overlap: { of: (rows, i) => rows.overlap[i], unit: "m" },
   height: { of: (rows, i) => rows.height[i], unit: "m" },
@@ -22,7 +22,7 @@ export const kQuantities = by_name({
 
 /// What a condition on one body may be about: its value in row i of the body's history; other: that of the second
 /// session, where there is one.
-export const kBodyQuantities = by_name({
+const kBodyQuantities = by_name({
   speed: { of: (one, i) => one.speed[i], unit: "m/s" },
   spin: { of: (one, i) => one.spin?.[i] ?? null, unit: "rad/s" },
   height: { of: (one, i) => one.z[i], unit: "m" },
@@ -47,9 +47,20 @@ const kComparisons = by_name({
 });
 const kWords = by_name({ "≥": ">=", "≤": "<=", "==": "=" });
 
-/// Reads a query: {kind: "body", text}, {kind: "steps", quantity, comparison, bound}, {kind: "body steps", quantity,
-/// body, comparison, bound}, likewise {kind: "channel steps", …} of a channel, {kind: "step", step} or {kind: "wrong", words}. channels: names of further columns.
+/// The number of a condition, with or without the unit of its quantity: {bound}, or {kind: "wrong", words}.
+function bound_in(text, name, unit) {
+  const found = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(text);
+  const bound = Number(found?.[1]);
+  if (!Number.isFinite(bound)) return { kind: "wrong", words: `"${text}" is no number` };
+  if (found[2] === "" || found[2] === unit) return { bound };
+  return { kind: "wrong", words: `"${found[2]}" is not the unit of ${name}, which ${unit ? `is in ${unit}` : "has none"}` };
+}
+
+/// Reads a query: {kind: "body", text}, {kind: "steps", quantity, unit, comparison, bound}, {kind: "body steps",
+/// quantity, unit, body, comparison, bound}, likewise {kind: "channel steps", …} of a channel, {kind: "step", step} or
+/// {kind: "wrong", words}. channels: further columns, [{name, unit}].
 export function parse_query(text, channels = []) {
+  const units = by_name(Object.fromEntries(channels.map(({ name, unit }) => [name, unit])));
   const trimmed = text.trim();
   if (trimmed === "") return { kind: "none" };
   const step = /^step\s+(\d+)$/i.exec(trimmed);
@@ -58,27 +69,22 @@ export function parse_query(text, channels = []) {
   if (!found) return { kind: "body", text: trimmed };
   const name = found[1].trim();
   const quantity = name.toLowerCase();
-  const number = found[3].replace(/\s*(m\/s|rad\/s|m|J)\s*$/, "");
-  const bound = Number(number);
   const comparison = kWords[found[2]] ?? found[2];
-  const no_number = number === "" || !Number.isFinite(bound) ? { kind: "wrong", words: `"${found[3]}" is no number` } : null;
-  const of = channels.includes(name) ? null : /^(.+?)\s+of\s+(.+)$/i.exec(name);
+  const asked = (kind, part, unit, more = {}) => {
+    const { bound, ...wrong } = bound_in(found[3], part, unit);
+    return bound === undefined ? wrong : { kind, quantity: part, unit, comparison, bound, ...more };
+  };
+  const refused = (part, whose, tables) =>
+    ({ kind: "wrong", words: `"${part}" is no quantity${whose}; there are ${tables.flatMap(Object.keys).join(", ")}` });
+  const of = name in units ? null : /^(.+?)\s+of\s+(.+)$/i.exec(name);
   if (of) {
     const part = of[1].toLowerCase();
-    if (!(part in kBodyQuantities) && channels.includes(of[1])) {
-      return no_number ?? { kind: "channel steps", quantity: of[1], body: of[2], comparison, bound };
-    }
-    if (!(part in kBodyQuantities)) {
-      const known = [...Object.keys(kBodyQuantities), ...channels].join(", ");
-      return { kind: "wrong", words: `"${of[1]}" is no quantity of a body; there are ${known}` };
-    }
-    return no_number ?? { kind: "body steps", quantity: part, body: of[2], comparison, bound };
+    if (part in kBodyQuantities) return asked("body steps", part, kBodyQuantities[part].unit, { body: of[2] });
+    if (of[1] in units) return asked("channel steps", of[1], units[of[1]], { body: of[2] });
+    return refused(of[1], " of a body", [kBodyQuantities, units]);
   }
-  if (!(quantity in kQuantities) && !channels.includes(name)) {
-    const known = [...Object.keys(kQuantities), ...channels].join(", ");
-    return { kind: "wrong", words: `"${name}" is no quantity; there are ${known}` };
-  }
-  return no_number ?? { kind: "steps", quantity: quantity in kQuantities ? quantity : name, comparison, bound };
+  if (quantity in kQuantities) return asked("steps", quantity, kQuantities[quantity].unit);
+  return name in units ? asked("steps", name, units[name]) : refused(name, "", [kQuantities, units]);
 }
 
 /// {runs, judged}: runs of steps in which a condition holds, [{first, last, peak, at, body}], peak being the value

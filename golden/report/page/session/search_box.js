@@ -1,9 +1,10 @@
 // The search: reads what is typed, and lists bodies or runs of steps.
 import { element, metres } from "../theme.js";
-import { find_body_runs, find_channel_runs, find_runs, kBodyQuantities, kQuantities, parse_query } from "./search.js";
+import { find_body_runs, find_channel_runs, find_runs, parse_query } from "./search.js";
 import { link } from "./panels.js";
 
 const kShown = 12;
+const kExtremes = { ">": ": up to ", ">=": ": up to ", "<": ": down to ", "<=": ": down to ", "=": ": " };
 
 function value_text(value, unit) {
   if (!Number.isFinite(value)) return value < 0 ? "−infinite" : "infinite";
@@ -43,7 +44,7 @@ export function make_search(page) {
       page.set_hits([]);
       return [];
     }
-    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), kQuantities[query.quantity]?.unit ?? "", timeline_done);
+    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), query.unit, timeline_done);
   };
   /// Whether nothing can be added to what a search of single bodies has read.
   const asks_finished = (two) => page.sessions.slice(0, two ? 2 : 1).every(({ head }) => head.finished || !page.served);
@@ -58,7 +59,7 @@ export function make_search(page) {
       page.set_hits([]);
       return [];
     }
-    const { unit } = kBodyQuantities[asked.quantity];
+    const { unit } = asked;
     const two = asked.quantity === "separation" && page.sessions.length === 2;
     const histories = [null, null];
     let runs = [];
@@ -118,7 +119,7 @@ export function make_search(page) {
       (unread === 0 ? "" : unread === 1 ? "; 1 step was not read" : `; ${unread} steps were not read`) + note;
     items = runs.slice(0, kShown).map((run) => {
       const where = run.first === run.last ? `step ${run.first}` : `steps ${run.first} to ${run.last}`;
-      const made = element("li", {}, link(where, () => page.player.seek(run.first)), ": up to ",
+      const made = element("li", {}, link(where, () => page.player.seek(run.first)), kExtremes[query.comparison],
         link(`${value_text(run.peak, unit)}`, () => page.player.seek(run.at), `at step ${run.at}`));
       if (run.body) made.append(", ", link(page.sessions[0].bodies.label(run.body), () => page.select(run.body)));
       return made;
@@ -130,7 +131,7 @@ export function make_search(page) {
   };
   const run = () => {
     items = [];
-    query = parse_query(input.value, Object.keys(page.sessions[0].rows.channels));
+    query = parse_query(input.value, page.sessions[0].rows.channel_heads);
     if (query.kind === "body") return show_bodies();
     if (query.kind === "steps") return show_runs();
     if (query.kind === "body steps" || query.kind === "channel steps") {

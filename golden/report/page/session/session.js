@@ -53,15 +53,27 @@ export class SessionPage {
     return [...new Set(this.sessions.flatMap((session) => session.steps))].sort((a, b) => a - b);
   }
 
+  /// The step and the body that the page's address names; null where it names none.
+  addressed() {
+    const [step, body] = ["step", "body"].map((name) => new RegExp(`(?:^#|&)${name}=(\\d+)`).exec(location.hash));
+    return { step: step && this.steps.at_or_before(Number(step[1])), body: body && Number(body[1]) };
+  }
+
+  go_to_address() {
+    const { step, body } = this.addressed();
+    if (step !== null) this.player.seek(step);
+    if (body !== null) this.select(body);
+  }
+
   async start() {
-    const from = /(?:^#|&)step=(\d+)/.exec(location.hash);
-    const body = /(?:^#|&)body=(\d+)/.exec(location.hash);
-    const step = this.steps.at_or_before(from ? Number(from[1]) : this.steps.first);
+    const { step: from, body } = this.addressed();
+    const step = from ?? this.steps.first;
     this.drawing.frames = await Promise.all(this.sessions.map((session) => session.frame_soon(step).catch(() => null)));
     this.drawing.start();
     this.player.seek(step);
     this.player.refresh();
-    if (body) this.select(Number(body[1]));
+    if (body !== null) this.select(body);
+    addEventListener("hashchange", () => this.go_to_address());
     for (const session of this.sessions) session.on_bodies = () => { this.drawing.describe(); this.refresh(); };
     new ResizeObserver(() => this.drawing.resize()).observe(this.view);
     watch_theme(() => {
