@@ -26,7 +26,11 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
   for (std::uint64_t at = first; at < first + scenes; ++at) {
     const std::uint64_t number = share.number(at);
     const Result<TextScene> scene = drawn_scene(seed, number);
-    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}};
+    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}};
+    if (!judged.unable.empty()) {
+      batch.unable = "scene " + std::to_string(number) + ": " + judged.unable;
+      return batch;
+    }
     if (!judged.problem.empty()) ++batch.no_scenes;
     bool broke = !judged.problem.empty();
     for (std::size_t k = 0; k < judged.judgements.size(); ++k) {
@@ -48,7 +52,10 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
 }
 
 std::string to_text(const Batch& batch) {
-  Json json = {{"no_scenes", batch.no_scenes}, {"tallies", Json::array()}, {"findings", Json::array()}};
+  Json json = {{"unable", batch.unable},
+               {"no_scenes", batch.no_scenes},
+               {"tallies", Json::array()},
+               {"findings", Json::array()}};
   for (const Tally& one : batch.tallies) {
     json["tallies"].push_back({one.held, one.broken, one.not_applicable, one.nearest, one.nearest_number});
   }
@@ -60,6 +67,7 @@ std::string to_text(const Batch& batch) {
 Result<Batch> batch_from(const std::string& text) {
   try {
     const Json json = Json::parse(text);
+    if (const std::string unable = json.at("unable"); !unable.empty()) return cannot_finish(unable);
     Batch batch;
     batch.no_scenes = json.at("no_scenes");
     for (const Json& one : json.at("tallies")) {
@@ -74,7 +82,7 @@ Result<Batch> batch_from(const std::string& text) {
 }
 
 std::string judgements_text(const Judged& judged) {
-  Json json = {{"problem", judged.problem}, {"judgements", Json::array()}};
+  Json json = {{"problem", judged.problem}, {"unable", judged.unable}, {"judgements", Json::array()}};
   for (const auto& [name, one] : judged.judgements) {
     json["judgements"].push_back({name, static_cast<int>(one.outcome), to_json(one)});
   }
@@ -84,6 +92,7 @@ std::string judgements_text(const Judged& judged) {
 Result<Judged> judgements_from(const std::string& text) {
   try {
     const Json json = Json::parse(text);
+    if (const std::string unable = json.at("unable"); !unable.empty()) return cannot_finish(unable);
     Judged judged;
     judged.problem = json.at("problem");
     for (const Json& one : json.at("judgements")) {

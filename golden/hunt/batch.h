@@ -15,6 +15,7 @@ Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number);
 
 /// Scenes of one shard in turn, judged in one child process.
 struct Batch {
+  std::string unable;  ///< why the engine could not be run: nothing else of the batch counts
   std::uint64_t no_scenes = 0;
   std::vector<Tally> tallies;  ///< by relation, in the question's order
   std::vector<Finding> findings;
@@ -28,7 +29,7 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
 
 /// As one process hands it to another.
 std::string to_text(const Batch& batch);
-/// Errors (kCannotFinish): text that to_text() did not make.
+/// Errors (kCannotFinish): text that to_text() did not make, or the engine could not be run.
 Result<Batch> batch_from(const std::string& text);
 
 /// The judgements on one scene, likewise.

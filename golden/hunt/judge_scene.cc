@@ -96,11 +96,18 @@ Judgement judge(const Question& question, const std::string& relation, const Tra
 
 Judged judge_scene(const Question& question, const TextScene& scene) {
   Judged out;
-  const Result<Trace> session = trace_of(question, scene.scene);
+  const auto run = [&question, &out](const sim::SceneDef& def) {
+    Result<Trace> session = trace_of(question, def);
+    if (question.engine && !session.ok() && session.error().kind == ErrorKind::kCannotFinish)
+      out.unable = session.error().message;
+    return session;
+  };
+  Result<Trace> session = run(scene.scene);
   if (!session.ok()) {
     out.problem = session.error().message;
     return out;
   }
+  session->again = run;
   out.features = features_of(*session);
   for (const std::string& name : names_of(question)) {
     out.judgements.emplace_back(name, judge(question, name, *session, scene));

@@ -37,6 +37,7 @@ Judgement judge(const Question& question, const std::string& relation, const Tra
 /// All judgements on a scene.
 struct Judged {
   std::string problem;  ///< why the scene is none; empty: it was judged
+  std::string unable;   ///< why the engine could not be run; empty: it was. No judgement counts then
   std::vector<std::pair<std::string, Judgement>> judgements;
   std::vector<std::string> features;  ///< features_of()
 };

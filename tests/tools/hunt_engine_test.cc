@@ -1,8 +1,10 @@
 // The relations of `tumble hunt --engine`: an engine that breaks one is seen to.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/support/program.h"
 
@@ -29,6 +31,28 @@ run = '''")" TUMBLE_PROGRAM R"(" record {scene} -o {log} --quiet --set "world.gr
   for (const char* relation : {"inserted", "ids"}) {
     EXPECT_GT(broken("sed -n \"s/^mass = .*[.]//p\" {scene} | head -n 1", relation), 0) << relation;
   }
+}
+
+// Nothing is known of an engine that does not run: it refuses no scene and breaks no claim.
+TEST(HuntEngine, ThatDoesNotStartIsNeitherRefusalNorHeld) {
+  const Workshop shop;
+  shop.write("tumble.toml", "[engine]\nrun = \"./e.sh {scene} {log}\"\n[engine.claims]\nfinishes = true\n");
+  const auto expect_unable = [&shop](const std::vector<std::string>& words) {
+    const Outcome run = shop.run(words);
+    EXPECT_EQ(run.exit, 4) << run.out;
+    EXPECT_NE(run.err.find("the engine does not start"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out.find("no scene broke"), std::string::npos) << run.out;
+  };
+  const std::vector<std::string> hunt = {"hunt", "--engine", "--count", "3", "--relation", "finishes"};
+  expect_unable(hunt);
+  shop.write("e.sh", "#!/bin/sh\n");  // not executable
+  expect_unable(hunt);
+  shop.write("corpus/s.toml", shop.run({"hunt", "--print", "1"}).out);
+  expect_unable({"hunt", "--engine", "--judge", "corpus"});
+  // One that is gone when it is asked again.
+  shop.write("e.sh", "#!/bin/sh\nrm e.sh\nexec " TUMBLE_PROGRAM " record $1 -o $2 --quiet\n");
+  std::filesystem::permissions(shop.path("e.sh"), std::filesystem::perms::owner_all);
+  expect_unable({"hunt", "--engine", "--count", "1", "--relation", "repeat"});
 }
 
 }  // namespace
