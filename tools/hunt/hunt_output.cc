@@ -56,6 +56,12 @@ void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relat
   table.print();
 }
 
+bool any_held(const std::vector<std::pair<std::string, hunt::Tally>>& relations) {
+  return std::ranges::any_of(relations, [](const auto& row) { return row.second.held > 0; });
+}
+
+constexpr const char* kNothingAsked = "nothing was judged: no relation or law could be asked of any scene\n";
+
 }  // namespace
 
 void print_finding(const hunt::Finding& finding) {
@@ -75,13 +81,16 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   print_tallies(state.relations, state.engine.empty() ? nullptr : &state.claimed);
   for (const hunt::FindingGroup& group : hunt::grouped(state.findings)) print_group(group, folder);
   if (!state.findings.empty()) return;
-  const bool judged = std::ranges::any_of(state.relations, [](const auto& row) { return row.second.held > 0; });
-  std::cout << (judged ? "\nno scene broke a relation that it was judged by\n"
-                       : "\nnothing was judged: no relation or law could be asked of any scene\n");
+  std::cout << '\n'
+            << (any_held(state.relations) ? "no scene broke a relation that it was judged by\n" : kNothingAsked);
 }
 
 void print_corpus(const hunt::CorpusResult& result) {
   print_tallies(result.relations);
+  if (result.broken.empty() && !any_held(result.relations)) {
+    std::cout << '\n' << count_text(result.scenes, "scene") << "; " << kNothingAsked;
+    return;
+  }
   std::cout << '\n' << count_text(result.scenes, "scene") << ", " << result.broken.size() << " broken\n";
   for (const hunt::CorpusResult::Broken& one : result.broken) {
     std::cout << printable(one.file) << ": " << one.relation << ": " << printable(describe(one.judgement)) << '\n';
