@@ -20,10 +20,10 @@ double times_bound(const Judgement& one) { return std::isfinite(one.value) ? one
 Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number) { return settled(random_scene(seed, number)); }
 
 Batch judge_batch(const Question& question, std::uint64_t seed, const Share& share, std::uint64_t first,
-                  std::uint64_t scenes, bool with_features) {
+                  std::uint64_t scenes, bool with_features, const std::function<bool()>& enough) {
   Batch batch;
   batch.tallies.resize(names_of(question).size());
-  for (std::uint64_t at = first; at < first + scenes; ++at) {
+  for (std::uint64_t at = first; at < first + scenes && !enough(); ++at) {
     const std::uint64_t number = share.number(at);
     const Result<TextScene> scene = drawn_scene(seed, number);
     const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}};
@@ -31,6 +31,7 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
       batch.unable = "scene " + std::to_string(number) + ": " + judged.unable;
       return batch;
     }
+    ++batch.scenes;
     if (!judged.problem.empty()) ++batch.no_scenes;
     bool broke = !judged.problem.empty();
     for (std::size_t k = 0; k < judged.judgements.size(); ++k) {
@@ -53,6 +54,7 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
 
 std::string to_text(const Batch& batch) {
   Json json = {{"unable", batch.unable},
+               {"scenes", batch.scenes},
                {"no_scenes", batch.no_scenes},
                {"tallies", Json::array()},
                {"findings", Json::array()}};
@@ -69,6 +71,7 @@ Result<Batch> batch_from(const std::string& text) {
     const Json json = Json::parse(text);
     if (const std::string unable = json.at("unable"); !unable.empty()) return cannot_finish(unable);
     Batch batch;
+    batch.scenes = json.at("scenes");
     batch.no_scenes = json.at("no_scenes");
     for (const Json& one : json.at("tallies")) {
       batch.tallies.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number);
 
 /// Scenes of one shard in turn, judged in one child process.
 struct Batch {
-  std::string unable;  ///< why the engine could not be run: nothing else of the batch counts
+  std::string unable;        ///< why the engine could not be run: nothing else of the batch counts
+  std::uint64_t scenes = 0;  ///< judged, those of no_scenes included
   std::uint64_t no_scenes = 0;
   std::vector<Tally> tallies;  ///< by relation, in the question's order
   std::vector<Finding> findings;
@@ -23,9 +25,10 @@ struct Batch {
       features;  ///< by number, of scenes that broke nothing
 };
 
-/// first: of the share's scenes, from 0. with_features: fills Batch::features.
+/// first: of the share's scenes, from 0. with_features: fills Batch::features. enough: asked before each scene; once it
+/// is true the batch ends.
 Batch judge_batch(const Question& question, std::uint64_t seed, const Share& share, std::uint64_t first,
-                  std::uint64_t scenes, bool with_features);
+                  std::uint64_t scenes, bool with_features, const std::function<bool()>& enough);
 
 /// As one process hands it to another.
 std::string to_text(const Batch& batch);

@@ -26,6 +26,7 @@ constexpr std::uint64_t kBatchesARound = 8;
 constexpr unsigned kBatchPatience = 120, kScenePatience = 60, kShrinkPatience = 600;
 constexpr double kStretch = 20;
 constexpr double kUsualSeconds = 60;
+constexpr double kLateMost = 60;  // s after the time, at which a scene that was begun is given up
 
 class Hunt {
  public:
@@ -54,9 +55,10 @@ class Hunt {
 
  private:
   [[nodiscard]] bool cancelled() const { return options_.pool.cancel && options_.pool.cancel(); }
-  [[nodiscard]] bool late() const {
+  [[nodiscard]] bool late(double by = 0) const {
     if (options_.count && !options_.seconds) return false;
-    return std::chrono::duration<double>(Clock::now() - begin_).count() >= options_.seconds.value_or(kUsualSeconds);
+    return std::chrono::duration<double>(Clock::now() - begin_).count() >=
+           options_.seconds.value_or(kUsualSeconds) + by;
   }
   [[nodiscard]] bool over() const { return cancelled() || late() || (last() && state_.next >= *last()); }
   [[nodiscard]] std::optional<std::uint64_t> last() const {
@@ -67,11 +69,12 @@ class Hunt {
     process::PoolOptions out = options_.pool;
     out.cpu_s = patience;
     out.timeout_s = kStretch * patience;
-    out.cancel = [this, timed] { return cancelled() || (timed && late()); };
+    out.cancel = [this, timed] { return cancelled() || (timed && late(kLateMost)); };
     return out;
   }
 
-  // Judges the next scenes and adds them to the state, up to the first batch that was not finished.
+  // Judges the next scenes and adds them to the state, up to the first that was not judged. Once the time is over each
+  // batch ends after the scene that it has begun; the first scene is judged even then, so that every hunt gets on.
   Status round(std::uint64_t scenes) {
     const std::uint64_t first = state_.next;
     const std::uint64_t batches = (scenes + kScenesABatch - 1) / kScenesABatch;
@@ -80,8 +83,10 @@ class Hunt {
     process::run_jobs(
         batches,
         [&](std::size_t k) {
+          bool at_once = k == 0;
+          const auto enough = [&] { return !std::exchange(at_once, false) && late(); };
           return to_text(judge_batch(options_.question, state_.seed, state_.share, first + k * kScenesABatch, size(k),
-                                     corpus_.has_value()));
+                                     corpus_.has_value(), enough));
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kBatchPatience, true));
     std::vector<Finding> fresh;
@@ -91,9 +96,10 @@ class Hunt {
       if (batch->tallies.size() != state_.relations.size()) break;  // cancelled meanwhile
       for (std::size_t i = 0; i < batch->tallies.size(); ++i) state_.relations[i].second.add(batch->tallies[i]);
       state_.no_scenes += batch->no_scenes;
-      state_.next += size(k);
+      state_.next += batch->scenes;
       for (Finding& one : batch->findings) fresh.push_back(std::move(one));
       if (Status ok = grow(*batch); !ok.ok()) return ok;
+      if (batch->scenes < size(k)) break;
     }
     if (Status ok = keep(std::move(fresh)); !ok.ok()) return ok;
     if (options_.progress) options_.progress(state_);
@@ -118,10 +124,12 @@ class Hunt {
     const bool all = process::run_jobs(
         scenes,
         [&](std::size_t k) {
-          return to_text(judge_batch(options_.question, state_.seed, state_.share, first + k, 1, false));
+          return to_text(
+              judge_batch(options_.question, state_.seed, state_.share, first + k, 1, false, [] { return false; }));
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kScenePatience, false));
     if (!all) return sum;
+    sum.scenes = scenes;
     sum.tallies.resize(state_.relations.size());
     for (const auto& [k, result] : done) {
       if (!result.failure.empty()) {

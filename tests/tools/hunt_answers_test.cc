@@ -25,5 +25,29 @@ TEST(HuntAnswers, AFolderThatNothingCouldBeAskedOfIsNotWhole) {
   EXPECT_FALSE(tells(run.out, "0 broken")) << run.out;
 }
 
+// A round is of 80 scenes; of an engine that takes half a second each, a hunt of a second ends long before.
+TEST(HuntAnswers, ATimeThatEndsARoundKeepsItsScenes) {
+  const Workshop shop;
+  shop.write("tumble.toml",
+             "[engine]\nshell = true\nrun = \"sleep 0.5; '" TUMBLE_PROGRAM "' record {scene} -o {log} --quiet\"\n");
+  const auto scenes_after = [&shop] {
+    const Outcome run = shop.run(
+        {"hunt", "--engine", "--time", "1", "--relation", "finishes", "--folder", "kept", "--threads", "1", "--json"});
+    EXPECT_EQ(run.exit, 0) << run.err;
+    return Json::parse(run.out).at("scenes").get<int>();
+  };
+  const int first = scenes_after();
+  EXPECT_GE(first, 1);
+  EXPECT_LT(first, 10);
+  EXPECT_GT(scenes_after(), first);
+}
+
+TEST(HuntAnswers, AShardWithoutScenesSaysSo) {
+  const Workshop shop;
+  const Outcome run = shop.run({"hunt", "--count", "2", "--shard", "5/9"});
+  EXPECT_EQ(run.exit, 0) << run.err;
+  EXPECT_TRUE(tells(run.out, "nothing was judged: none of 2 scenes is the shard's")) << run.out;
+}
+
 }  // namespace
 }  // namespace tumble::test

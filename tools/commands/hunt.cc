@@ -120,7 +120,7 @@ Exit tell(const HuntCommand& options, const hunt::HuntState& state) {
   if (options.json) {
     print_json("hunt", hunt::to_json(state));
   } else {
-    print_hunt(state, options.folder);
+    print_hunt(state, options.folder, options.count);
   }
   return claims_hold(state) ? Exit::kSame : Exit::kDifference;
 }

@@ -62,6 +62,14 @@ bool any_held(const std::vector<std::pair<std::string, hunt::Tally>>& relations)
 
 constexpr const char* kNothingAsked = "nothing was judged: no relation or law could be asked of any scene\n";
 
+std::string no_scene_text(const hunt::HuntState& state, std::optional<std::uint64_t> count) {
+  if (state.merged > 0) return "nothing was judged: the shards hold no scene\n";
+  if (!state.ended) return "nothing was judged: the hunt was interrupted before a scene was judged\n";
+  if (count && state.share.of(*count) == 0)
+    return "nothing was judged: none of " + count_text(*count, "scene") + " is the shard's\n";
+  return "nothing was judged: the time ended before a scene was judged\n";
+}
+
 }  // namespace
 
 void print_finding(const hunt::Finding& finding) {
@@ -69,7 +77,7 @@ void print_finding(const hunt::Finding& finding) {
             << "): " << printable(describe(finding.judgement)) << '\n';
 }
 
-void print_hunt(const hunt::HuntState& state, const std::string& folder) {
+void print_hunt(const hunt::HuntState& state, const std::string& folder, std::optional<std::uint64_t> count) {
   std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
   if (state.share.shards > 1) std::cout << ", shard " << state.share.shard << " of " << state.share.shards;
   if (!state.against.empty()) std::cout << ", against " << state.against;
@@ -82,7 +90,9 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   for (const hunt::FindingGroup& group : hunt::grouped(state.findings)) print_group(group, folder);
   if (!state.findings.empty()) return;
   std::cout << '\n'
-            << (any_held(state.relations) ? "no scene broke a relation that it was judged by\n" : kNothingAsked);
+            << (any_held(state.relations) ? "no scene broke a relation that it was judged by\n"
+                : state.next > 0          ? kNothingAsked
+                                          : no_scene_text(state, count));
 }
 
 void print_corpus(const hunt::CorpusResult& result) {

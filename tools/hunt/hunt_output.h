@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "golden/hunt/corpus.h"
@@ -12,7 +14,8 @@ namespace tumble::tools {
 void print_finding(const hunt::Finding& finding);
 
 /// The table of relations and the findings in groups. folder: names files; empty: nothing was kept.
-void print_hunt(const hunt::HuntState& state, const std::string& folder);
+/// count: of the scenes of all shards; none: the time ends the hunt.
+void print_hunt(const hunt::HuntState& state, const std::string& folder, std::optional<std::uint64_t> count);
 
 /// The judged scenes of a folder.
 void print_corpus(const hunt::CorpusResult& result);
