@@ -79,7 +79,7 @@ test("what changes is said in live regions: verdict, body, search, playing", asy
   assert.ok(step.length >= 1, "the words under the view");
   await page.locator("body").press("/");
   await page.keyboard.type("speed of 900 > 15");
-  await eventually(page, () => told("what the search found"), (words) => /^\d+ runs? of steps, the first at 2[01]$/.test(words), "the search");
+  await eventually(page, () => told("what the search found"), (words) => /^\d+ runs? of steps, the first at 2[01]; speeds are made of places rounded to 100 µm$/.test(words), "the search");
   await eventually(page, () => told("what has happened"), (words) => words === "body 900 is chosen", "the body");
   await page.keyboard.press("Escape");
   await page.locator("select.speed").selectOption("0.05");
