@@ -41,8 +41,11 @@ class StreamImporter {
   }
 
   Result<StreamImport> write(const EngineLog::MakeSink& make_sink) {
-    const Result<StreamStep> start = decode(stream_.steps().front());
+    Result<StreamStep> start = decode(stream_.steps().front());
     if (!start.ok()) return start.error();
+    bodies_.keep_sizes(*start);
+    if (!start.ok()) return start.error();
+    bodies_.keep_sizes(*start);
     const sim::SceneDef begun = scene(*start);
     Result<EngineDef> def = engine(*start);
     if (!def.ok()) return def.error();
@@ -121,7 +124,7 @@ class StreamImporter {
     const StreamHeader& header = stream_.header();
     sim::SceneDef scene;
     scene.name = header.scene.empty() ? "session" : header.scene;
-    scene.world.gravity = header.axes.length(header.gravity);
+    scene.world.gravity = bodies_.gravity(header.gravity);
     scene.world.ground = header.ground;
     scene.steps = stream_.steps().back().step;
     if (first_dt_ > 0) scene.world.dt = first_dt_;
@@ -136,8 +139,9 @@ class StreamImporter {
   }
 
   Status write_step(EngineLog& log, const StreamFrame& frame) {
-    const Result<StreamStep> step = decode(frame);
+    Result<StreamStep> step = decode(frame);
     if (!step.ok()) return step.error();
+    bodies_.keep_sizes(*step);
     Status done = tell(log, *step);
     if (done.ok() || done.error().kind != ErrorKind::kBadInput) return done;
     return bad_input(place(stream_, frame) + ": " + done.error().message);
@@ -219,6 +223,7 @@ class StreamImporter {
 
   [[nodiscard]] std::vector<std::string> warnings() const {
     std::vector<std::string> all = bodies_.notes();
+    all.insert(all.end(), extras_.notes().begin(), extras_.notes().end());
     const StreamCondition& condition = stream_.condition();
     const std::string last = std::to_string(stream_.steps().back().step);
     if (condition.damage) all.push_back(*condition.damage + "; the log ends with step " + last);

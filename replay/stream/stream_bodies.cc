@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "replay/format/limits.h"
 #include "src/base/text.h"
 #include "tumble/sim/limits.h"
 
@@ -36,9 +37,9 @@ sim::Vec3 vector_at(const StreamNumbers& numbers, std::size_t at) {
 
 }  // namespace
 
-std::string name_for_log(const std::string& name) {
+std::string name_for_log(const std::string& name, std::size_t bytes_max) {
   std::string kept = printable(name);
-  while (kept.size() > kStreamNameBytesMax || printable(kept) != kept) kept.pop_back();  // never within a character
+  while (kept.size() > bytes_max || printable(kept) != kept) kept.pop_back();  // never within a character
   return kept;
 }
 
@@ -47,13 +48,55 @@ EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) c
           axes_.length(vector_at(numbers, 7)), axes_.axial(vector_at(numbers, 10)), asleep};
 }
 
+void StreamBodies::note_cut(std::uint64_t id, const Range& range, double value, double cut) {
+  const std::string owner = id == 0 ? "" : "body " + std::to_string(id) + ": ";
+  std::string note =
+      owner + range.what + " of " + number_text(value) + range.unit + " is logged as " + number_text(cut) + range.unit;
+  if (notes_.empty() || notes_.back() != note) notes_.push_back(std::move(note));
+}
+
 double StreamBodies::within(std::uint64_t id, const Range& range, double value) {
   if (value >= range.low && value <= range.high) return value;
   const double cut = std::isnan(value) ? range.for_nan : std::clamp(value, range.low, range.high);
-  std::string note = "body " + std::to_string(id) + ": " + range.what + " of " + number_text(value) + range.unit +
-                     " is logged as " + number_text(cut) + range.unit;
-  if (notes_.empty() || notes_.back() != note) notes_.push_back(std::move(note));
+  note_cut(id, range, value, cut);
   return cut;
+}
+
+sim::Vec3 StreamBodies::within(std::uint64_t id, const Range& range, const sim::Vec3& value) {
+  return {within(id, range, value.x()), within(id, range, value.y()), within(id, range, value.z())};
+}
+
+sim::Vec3 StreamBodies::gravity(const sim::Vec3& theirs) {
+  const Range range = {"a gravity", " m/s²", -sim::kGravityMax, sim::kGravityMax, 0};
+  return within(0, range, axes_.length(theirs));
+}
+
+double StreamBodies::length_within(std::uint64_t id, const Range& range, double theirs) {
+  const double metres = theirs * axes_.metres;
+  if ((theirs > 0 || metres == range.low) && metres <= range.high) return theirs;
+  if (theirs < 0 && -metres <= range.high) {
+    note_cut(id, range, metres, -metres);
+    return -theirs;
+  }
+  return within(id, range, metres) / axes_.metres;
+}
+
+void StreamBodies::keep_sizes(StreamStep& step) {
+  const double most = kShapeLengthMax / 2;  // far enough below for a unit that rounds
+  const Range radius = {"a radius", " m", sim::kSizeMin, most, 1};
+  for (StreamInput& input : step.inputs) {
+    auto* body = std::get_if<StreamBody>(&input);
+    if (body == nullptr) continue;
+    const bool is_round = body->shape >= kSphere && body->shape <= kCylinder;
+    if (is_round) body->size[0] = length_within(body->id, radius, body->size[0]);
+    if (is_round && body->shape != kSphere) {
+      const Range length = {"a length", " m", body->shape == kCapsule ? 0 : sim::kSizeMin, most, 1};
+      body->size[1] = length_within(body->id, length, body->size[1]);
+    }
+    for (int k = 0; k < 3 && !is_round; ++k) {  // what else is wrong with an edge, keep_within() sees
+      if (body->size[k] < 0) body->size[k] = length_within(body->id, {"an edge", " m", 0, most, 1}, body->size[k]);
+    }
+  }
 }
 
 void StreamBodies::keep_within(sim::BoxDef& box) {
@@ -73,11 +116,16 @@ void StreamBodies::keep_within(sim::BoxDef& box) {
   material.friction_dynamic = material.friction;
   material.restitution = within(box.id, {"a restitution", "", 0, 1, 0}, material.restitution);
   const sim::Quat& q = box.orientation;
-  const double squared = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-  if (squared > 1e-12 && squared < 1e12) return;
-  notes_.push_back("body " + std::to_string(box.id) +
-                   ": an orientation at its start that is no rotation is logged as none");
-  box.orientation = sim::Quat();
+  const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  if (std::fabs(length - 1) <= EngineState::kLengthOffMax) return;
+  const std::string named = "body " + std::to_string(box.id) + ": an orientation at its start ";
+  if (length > 1e-6 && length < 1e6) {
+    notes_.push_back(named + "of length " + significant(length, 9) + " is logged divided by its length");
+    box.orientation = {q.w / length, q.x / length, q.y / length, q.z / length};
+  } else {
+    notes_.push_back(named + "that is no rotation is logged as none");
+    box.orientation = sim::Quat();
+  }
 }
 
 void StreamBodies::note_not_finite(const StreamState& state, std::uint64_t step) {
@@ -109,6 +157,7 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.material.friction = body.friction;
   box.material.restitution = body.restitution;
   keep_within(box);
+  last_[body.id].orientation = box.orientation;  // for records of kind "same"
   return box;
 }
 
@@ -165,9 +214,12 @@ std::optional<sim::Command> StreamBodies::command(const StreamInput& input) {
   }
   if (const auto* push = std::get_if<StreamPush>(&input)) return sim::Push{push->id, axes_.length(push->impulse)};
   if (const auto* set = std::get_if<StreamSetVelocity>(&input)) {
-    return sim::SetVelocity{set->id, axes_.length(set->velocity), axes_.axial(set->spin)};
+    const Range velocity = {"a velocity that was set", " m/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
+    const Range spin = {"an angular velocity that was set", " rad/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
+    return sim::SetVelocity{set->id, within(set->id, velocity, axes_.length(set->velocity)),
+                            within(set->id, spin, axes_.axial(set->spin))};
   }
-  if (const auto* set = std::get_if<StreamSetGravity>(&input)) return sim::SetGravity{axes_.length(set->gravity)};
+  if (const auto* set = std::get_if<StreamSetGravity>(&input)) return sim::SetGravity{gravity(set->gravity)};
   return std::nullopt;
 }
 

@@ -16,8 +16,8 @@
 /// The bodies of a stream in SI units, z up, as logs hold them.
 namespace tumble::replay {
 
-/// A name as a log keeps it: without control characters, of at most 200 bytes.
-std::string name_for_log(const std::string& name);
+/// A name as a log keeps it: without control characters, of at most 200 bytes, or fewer.
+std::string name_for_log(const std::string& name, std::size_t bytes_max = kStreamNameBytesMax);
 
 /// Converts bodies, states and inputs, and keeps the last state of each body, which records of kind "same" refer to.
 class StreamBodies {
@@ -27,6 +27,13 @@ class StreamBodies {
   /// Takes a surface for the bodies with its hash, before any of them. One that no log can keep is left out: notes()
   /// tells.
   void add(const StreamMesh& mesh);
+
+  /// Mends the sizes of the bodies of a step that no shape can have, before they are added: notes() tells. A negative
+  /// one is taken without its sign.
+  void keep_sizes(StreamStep& step);
+
+  /// A gravity of the engine in m/s², cut to the limits of a log: notes() tells.
+  sim::Vec3 gravity(const sim::Vec3& theirs);
 
   /// A body that begins or appears. A shape becomes the box around it; an edge beyond the limits of a log is cut to
   /// them, and a static body without a mass has 1 kg: notes() tells.
@@ -60,8 +67,13 @@ class StreamBodies {
     const char* unit;
     double low, high, for_nan;
   };
+  /// id 0: of the world.
+  void note_cut(std::uint64_t id, const Range& range, double value, double cut);
   /// The value, or the nearest that a log can hold, with a note.
   double within(std::uint64_t id, const Range& range, double value);
+  sim::Vec3 within(std::uint64_t id, const Range& range, const sim::Vec3& value);
+  /// The same for a length in the engine's unit, which the range has in metres.
+  double length_within(std::uint64_t id, const Range& range, double theirs);
   void keep_within(sim::BoxDef& box);
 
   EngineAxes axes_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -35,18 +36,36 @@ std::string name_of_number(const std::string& name, std::uint32_t k, std::uint32
 /// One step has at most so many inputs of one name and body; further ones join the last.
 constexpr std::size_t kInputsMax = 64;
 
-/// The names of the channels of the inputs of one step, in their order: "input.kick of a body", of further inputs of
-/// that name and body "input.kick of a body#2".
+/// A name as a channel may have it, with at most `bytes_max` bytes.
+std::string name_for_channel(const std::string& name, std::size_t bytes_max) {
+  std::string kept = name_for_log(name, bytes_max);
+  std::ranges::replace(kept, '=', '?');
+  return kept;
+}
+
+/// "input.kick", "input.kick of a body"; number n of them has "#n" behind it.
+std::string name_of_input(const StreamNamedInput& input, std::size_t number) {
+  const std::string behind = number == 1 ? "" : '#' + std::to_string(number);
+  return name_for_channel("input." + input.name + (input.body == 0 ? "" : " of a body"),
+                          kStreamNameBytesMax - behind.size()) +
+         behind;
+}
+
+/// The names of the channels of the inputs of one step, in their order. Two inputs of one body have two names, also
+/// where one of them is called "kick#2".
 class InputNames {
  public:
   std::string name(const StreamNamedInput& input) {
-    const std::size_t count = std::min(kInputsMax, ++counts_[{input.name, input.body}]);
-    return "input." + input.name + (input.body == 0 ? "" : " of a body") +
-           (count == 1 ? "" : '#' + std::to_string(count));
+    std::string name;
+    for (std::size_t number = 1; number <= kInputsMax; ++number) {
+      name = name_of_input(input, number);
+      if (used_.emplace(name, input.body).second) break;
+    }
+    return name;
   }
 
  private:
-  std::map<std::pair<std::string, std::uint64_t>, std::size_t> counts_;
+  std::set<std::pair<std::string, std::uint64_t>> used_;
 };
 
 ChannelValue read_number(StreamCursor& in, std::uint8_t type) {
@@ -83,8 +102,41 @@ void StreamExtras::survey(const StreamStep& step) {
     const auto* named = std::get_if<StreamNamedInput>(&input);
     if (named == nullptr) continue;
     const ChannelScope scope = named->body == 0 ? ChannelScope::kWorld : ChannelScope::kBody;
-    named_inputs_.try_emplace(names.name(*named), ChannelType{ChannelKind::kBytes, scope});
+    const std::string name = names.name(*named);
+    const bool is_new = named_inputs_.try_emplace(name, ChannelType{ChannelKind::kBytes, scope}).second;
+    if (is_new && name.find(named->name) == std::string::npos) note_renamed("input", named->name, name);
   }
+}
+
+void StreamExtras::note_renamed(const char* what, const std::string& name, const std::string& now) {
+  notes_.push_back(std::string(what) + " " + in_quotes(name) + " is logged as channel " + in_quotes(now) +
+                   ", for a log has each name once, in at most " + std::to_string(kStreamNameBytesMax) +
+                   " bytes of text without '='");
+}
+
+std::uint32_t StreamExtras::parts_of(const Found& found) {
+  return is_number(kind_of(found.channel, found.count)) ? std::max(found.count, 1U) : 1;
+}
+
+/// Gives a channel whose name a log cannot have, or has already, another one.
+void StreamExtras::rename(Found& found, std::set<std::string>& taken) {
+  const std::string theirs = found.channel.name;
+  const std::uint32_t parts = parts_of(found);
+  const std::size_t room = kStreamNameBytesMax - (parts == 1 ? 0 : std::to_string(parts - 1).size() + 2);
+  const auto is_taken = [&](const std::string& name) {
+    for (std::uint32_t k = 0; k < parts; ++k) {
+      if (taken.contains(name_of_number(name, k, parts))) return true;
+    }
+    return false;
+  };
+  std::string name = name_for_channel(theirs, room);
+  for (std::uint32_t n = 2; is_taken(name); ++n) {
+    const std::string behind = '#' + std::to_string(n);
+    name = name_for_channel(theirs, room - behind.size()) + behind;
+  }
+  for (std::uint32_t k = 0; k < parts; ++k) taken.insert(name_of_number(name, k, parts));
+  if (name != theirs) note_renamed("channel", theirs, name);
+  found.channel.name = name;
 }
 
 Status StreamExtras::add_rows(const StreamValue& value, std::vector<Row>& rows) const {
@@ -123,10 +175,13 @@ Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& s
 
 Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodies& bodies) {
   Declared declared;
-  for (const auto& [number, found] : found_) {
+  std::set<std::string> taken;
+  for (const auto& [name, type] : named_inputs_) taken.insert(name);
+  for (auto& [number, found] : found_) {
+    rename(found, taken);
     const auto& [channel, count] = found;
     const ChannelType type = {kind_of(channel, count), static_cast<ChannelScope>(channel.scope)};
-    const std::uint32_t parts = is_number(type.kind) ? std::max(count, 1U) : 1;
+    const std::uint32_t parts = parts_of(found);
     for (std::uint32_t k = 0; k < parts; ++k) {
       declared.channels.push_back({name_of_number(channel.name, k, parts), type, {}});
     }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ class StreamExtras {
   /// Tells the log what the coming step has. Errors (kBadInput): as the functions of EngineLog.
   Status tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes) const;
 
+  /// For people: names that a log cannot have.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
  private:
   /// A channel of the stream, and the most numbers that a value of it has.
   struct Found {
@@ -42,12 +46,17 @@ class StreamExtras {
     ChannelValue value;
   };
 
+  /// The channels of the log that one of the stream becomes.
+  static std::uint32_t parts_of(const Found& found);
+  void rename(Found& found, std::set<std::string>& taken);
+  void note_renamed(const char* what, const std::string& name, const std::string& now);
   [[nodiscard]] Result<std::vector<Row>> rows_of(const StreamStep& step) const;
   Status add_rows(const StreamValue& value, std::vector<Row>& rows) const;
 
   std::map<std::uint32_t, Found> found_;
   std::map<std::string, ChannelType> named_inputs_;  // by the channel's name
   std::map<std::string, std::size_t> index_;         // in the log
+  std::vector<std::string> notes_;
 };
 
 /// The contact points of a step in SI units, z up.

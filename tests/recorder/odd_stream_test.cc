@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/recorder/imported.h"
 #include "tests/recorder/recorded.h"
@@ -12,6 +15,12 @@ namespace {
 using replay::LogReader;
 using replay::StreamImport;
 using replay::StreamReader;
+
+std::vector<std::string> channel_names(const LogReader& log) {
+  std::vector<std::string> names;
+  for (const replay::Channel& channel : log.header().declared.channels) names.push_back(channel.name);
+  return names;
+}
 
 TEST(OddStream, NumbersThatNoLogHoldsCostNoSession) {
   const auto odd = [](TumbleRec* rec) {
@@ -34,6 +43,80 @@ TEST(OddStream, NumbersThatNoLogHoldsCostNoSession) {
                            "body 9: a coordinate at its start of", "that is no rotation is logged as none"}) {
     EXPECT_TRUE(mentions(got->import.warnings, text)) << text;
   }
+}
+
+// Each of these made the whole recording unreadable.
+TEST(OddStream, SizesGravityAndTurnsThatCannotBeAreCut) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto odd = [&](TumbleRec* rec) {
+    TumbleRecBody ball = small_cube(5), limb = small_cube(6), rod = small_cube(7), box = small_cube(8);
+    ball.shape = TUMBLE_REC_SPHERE, ball.size[0] = -2;
+    limb.shape = TUMBLE_REC_CAPSULE, limb.size[0] = nan, limb.size[1] = -3;
+    rod.shape = TUMBLE_REC_CYLINDER, rod.size[0] = 0, rod.state.orientation[0] = 3;
+    box.size[1] = -4;
+    for (const TumbleRecBody* body : {&ball, &limb, &rod, &box}) ASSERT_EQ(tumble_rec_body(rec, body), TUMBLE_REC_OK);
+  };
+  const auto heavy = [&](TumbleRecDef& def) { def.gravity[0] = nan, def.gravity[2] = -1e300; };
+  const Result<Imported> got = import_bytes(record(1, 0, odd, heavy));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  const replay::LogHeader& header = got->log.header();
+  EXPECT_EQ(header.scene.world.gravity, (sim::Vec3{0, 0, -1e4}));
+  ASSERT_EQ(header.declared.shapes.size(), 3U);
+  EXPECT_EQ(header.declared.shapes[0].radius, 2);
+  EXPECT_EQ(header.scene.boxes[1].size, (sim::Vec3{4, 4, 4}));
+  EXPECT_EQ(header.scene.boxes[2].size, (sim::Vec3{2, 2, 5}));
+  EXPECT_EQ(header.scene.boxes[3].orientation.w, 1);
+  EXPECT_EQ(header.scene.boxes[4].size, (sim::Vec3{1, 4, 1}));
+  for (const char* text : {"body 5: a radius of -2 m is logged as 2 m", "body 6: a radius of nan m is logged as 1 m",
+                           "body 6: a length of -3 m is logged as 3 m", "body 7: a radius of 0 m is logged as 0.0001 m",
+                           "body 7: an orientation at its start of length 3 is logged divided by its length",
+                           "body 8: an edge of -4 m is logged as 4 m", "a gravity of nan m/s² is logged as 0 m/s²",
+                           "is logged as -10000 m/s²"}) {
+    EXPECT_TRUE(mentions(got->import.warnings, text)) << text;
+  }
+}
+
+// Names that no log has are mended and said; two channels never become one.
+TEST(OddStream, NamesThatNoLogHoldsCostNoSession) {
+  const std::string odd[] = {"a=b", "line\nend", "\xff", std::string(200, 'n')};
+  const auto named = [&](TumbleRec* rec) {
+    std::uint32_t channel = 0;
+    tumble_rec_channel(rec, "input.go", TUMBLE_REC_WORLD, TUMBLE_REC_F64, &channel);
+    tumble_rec_channel(rec, "bad \xff", TUMBLE_REC_WORLD, TUMBLE_REC_F64, &channel);
+    for (const std::string& name : odd) {
+      ASSERT_EQ(tumble_rec_input(rec, name.c_str(), 0, name.data(), name.size()), TUMBLE_REC_OK);
+    }
+    for (const char* bytes : {"1", "2"}) tumble_rec_input(rec, "go", 0, bytes, 1);
+    const TumbleRecState state = state_at(1, 1);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &state);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+  };
+  const Result<Imported> got = import_bytes(record(1, 0, named));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(channel_names(got->log),
+            (std::vector<std::string>{"bad ?", "input.?", "input.a?b", "input.go", "input.go#2", "input.go#3",
+                                      "input.line?end", "input." + std::string(194, 'n')}));
+  for (const char* text : {"input \"a=b\" is logged as channel \"input.a?b\"", "channel \"input.go\" is logged as"}) {
+    EXPECT_TRUE(mentions(got->import.warnings, text)) << text;
+  }
+}
+
+// An input called as the second of another input's name has its own channel.
+TEST(OddStream, InputsOfNamesThatMeetStayApart) {
+  const auto named = [](TumbleRec* rec) {
+    for (const auto& [name, bytes] : {std::pair("go#2", "A"), std::pair("go", "B"), std::pair("go", "C")}) {
+      tumble_rec_input(rec, name, 0, bytes, 1);
+    }
+  };
+  const Result<Imported> got = import_bytes(record(1, 0, named));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  ASSERT_EQ(channel_names(got->log), (std::vector<std::string>{"input.go", "input.go#2", "input.go#3"}));
+  const std::vector<replay::ChannelValues>& values = got->log.header().declared.start.channels;
+  ASSERT_EQ(values.size(), 3U);
+  EXPECT_EQ(values[0].bytes, std::vector<std::string>{"B"});
+  EXPECT_EQ(values[1].bytes, std::vector<std::string>{"A"});
+  EXPECT_EQ(values[2].bytes, std::vector<std::string>{"C"});
 }
 
 // A value told twice is the engine's mistake; the steps before it are not lost.
@@ -66,16 +149,16 @@ TEST(OddStream, AStepThatCannotBeLeavesTheStepsBefore) {
 
 // The place of the log is not touched before the start is known to be sound.
 TEST(OddStream, AStartThatCannotBeLeavesAnOlderLog) {
-  const auto name_twice = [](TumbleRec* rec) {
+  const auto seed_twice = [](TumbleRec* rec) {
     const TumbleRecState state = state_at(1, 1);
     std::uint32_t channel = 0;
-    ASSERT_EQ(tumble_rec_channel(rec, "input.go", TUMBLE_REC_WORLD, TUMBLE_REC_BYTES, &channel), TUMBLE_REC_OK);
-    ASSERT_EQ(tumble_rec_input(rec, "go", 0, "x", 1), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_channel(rec, "seed", TUMBLE_REC_WORLD, TUMBLE_REC_F64, &channel), TUMBLE_REC_OK);
+    for (int told = 0; told < 2; ++told) ASSERT_EQ(tumble_rec_f64(rec, channel, 0, 1), TUMBLE_REC_OK);
     tumble_rec_step_begin(rec, 0.0625);
     tumble_rec_state(rec, 1, &state);
     ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
   };
-  const Result<StreamReader> stream = open_stream(record(1, 0, name_twice));
+  const Result<StreamReader> stream = open_stream(record(1, 0, seed_twice));
   ASSERT_TRUE(stream.ok());
   int opened = 0;
   const auto make_sink = [&]() -> Result<std::unique_ptr<replay::ByteSink>> {
@@ -84,7 +167,7 @@ TEST(OddStream, AStartThatCannotBeLeavesAnOlderLog) {
   };
   const Result<StreamImport> done = import_stream(*stream, make_sink);
   ASSERT_FALSE(done.ok());
-  EXPECT_NE(done.error().message.find("input.go"), std::string::npos) << done.error().message;
+  EXPECT_NE(done.error().message.find("seed"), std::string::npos) << done.error().message;
   EXPECT_EQ(opened, 0);
   const Result<StreamReader> sound = open_stream(record(1, 2));
   ASSERT_TRUE(sound.ok());
