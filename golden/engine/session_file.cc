@@ -47,7 +47,11 @@ Status convert_stream(const std::string& path, const std::string& converted, boo
   if (condition.damage && !growing) return damaged("wrote a damaged stream: " + *condition.damage);
   const Result<replay::StreamImport> done =
       replay::import_stream(*stream, [&] { return replay::open_file_sink(converted); });
+  if (!done.ok() && done.error().kind == ErrorKind::kBadInput) {
+    return bad_input("wrote a stream that no log can hold: " + done.error().message);
+  }
   if (!done.ok()) return done.error();
+  if (!done->refused.empty()) log.refused = "wrote a stream with a step that no log can hold: " + done->refused;
   log.warnings = done->warnings;
   if (!condition.finished) {
     log.unfinished = "its stream ends without the last frame, after step " +
@@ -143,7 +147,7 @@ Result<SessionLog> log_of_session(const std::string& path, const std::string& co
   if (!std::filesystem::is_regular_file(path, error)) return cannot_finish("wrote no file where the log should be");
   if (std::filesystem::file_size(path, error) == 0) return cannot_finish("wrote an empty log");
   const FileKind kind = kind_of(path);
-  SessionLog log = {kind == FileKind::kLog ? path : converted, {}, ""};
+  SessionLog log = {kind == FileKind::kLog ? path : converted, {}, "", ""};
   if (kind == FileKind::kLog) return log;
   const Status done = kind == FileKind::kStream ? convert_stream(path, converted, false, log)
                                                 : convert_table(text_of(path), converted, like, log);

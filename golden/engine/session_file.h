@@ -16,6 +16,8 @@ struct SessionLog {
   std::vector<std::string> warnings;  ///< oddnesses of a table or a stream
   /// The stream has no last frame: the engine ended without closing its recorder. A sentence; empty: it is whole.
   std::string unfinished;
+  /// The stream has a step that no log can hold, and the log ends before it. A sentence; empty: there is none.
+  std::string refused;
 };
 
 /// A log of the session that an engine wrote to `path`: the file itself where it is a log; else a recorder's stream

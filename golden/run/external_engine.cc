@@ -134,9 +134,12 @@ Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {
   if (!log.ok()) return cannot_finish(who + log.error().message + end_of_output(place.output));
   Result<std::vector<std::byte>> bytes = read_bytes(log->path);
   if (!bytes.ok()) return cannot_finish(who + "wrote no log that can be read: " + bytes.error().message);
-  const std::string failure = log->unfinished.empty() ? "" : who + "ended well, but " + log->unfinished;
+  const std::string failure = !log->refused.empty()      ? who + log->refused
+                              : !log->unfinished.empty() ? who + "ended well, but " + log->unfinished
+                                                         : "";
   Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, failure, seconds};
   session.was_converted = log->path == converted;
+  session.cut_short = !log->refused.empty();
   return session;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "replay/stream/lent_sink.h"
 #include "replay/stream/stream_bodies.h"
 #include "replay/stream/stream_cursor.h"
 #include "replay/stream/stream_extras.h"
@@ -14,10 +15,24 @@
 namespace tumble::replay {
 namespace {
 
+/// A step that no log can hold.
+struct Refusal {
+  std::size_t frame = 0;  // of StreamReader::steps()
+  std::string message;
+};
+
 class StreamImporter {
  public:
-  StreamImporter(const StreamReader& stream, const Progress& progress)
-      : stream_(stream), progress_(progress), bodies_(stream.header().axes) {}
+  /// refusal: of an earlier attempt; the log ends before it.
+  StreamImporter(const StreamReader& stream, const Progress& progress, std::optional<Refusal> refusal = {})
+      : stream_(stream),
+        progress_(progress),
+        refusal_(std::move(refusal)),
+        frames_(refusal_ ? refusal_->frame : stream.steps().size()),
+        bodies_(stream.header().axes) {}
+
+  /// The step at which write() ended the log.
+  [[nodiscard]] const std::optional<Refusal>& refusal() const { return refusal_; }
 
   /// Finds what steps declare. Those that a rewind took back come first: what they declared holds on.
   Status survey() {
@@ -44,8 +59,6 @@ class StreamImporter {
     Result<StreamStep> start = decode(stream_.steps().front());
     if (!start.ok()) return start.error();
     bodies_.keep_sizes(*start);
-    if (!start.ok()) return start.error();
-    bodies_.keep_sizes(*start);
     const sim::SceneDef begun = scene(*start);
     Result<EngineDef> def = engine(*start);
     if (!def.ok()) return def.error();
@@ -60,21 +73,20 @@ class StreamImporter {
       if (is_sound || log.error().kind != ErrorKind::kBadInput) return log.error();
       return bad_input(place(stream_, stream_.steps().front()) + ": the start: " + log.error().message);
     }
-    for (std::size_t k = 1; k < stream_.steps().size(); ++k) {
+    for (std::size_t k = 1; k < frames_; ++k) {
       if (Status ok = write_step(**log, stream_.steps()[k]); !ok.ok()) {
-        const std::uint64_t last = stream_.steps()[k - 1].step;
+        if (ok.error().kind != ErrorKind::kBadInput) return ok.error();
         (*log)->drop_step();
-        return (*log)->finish().ok() && ok.error().kind == ErrorKind::kBadInput
-                   ? bad_input(ok.error().message + "; the log holds the steps before, up to " + std::to_string(last))
-                   : ok.error();
+        refusal_ = Refusal{k, ok.error().message};
+        break;
       }
-      if (progress_ && !progress_(k, stream_.steps().size() - 1)) {
+      if (progress_ && !progress_(k, frames_ - 1)) {
         return cannot_finish(stream_.name() + ": stopped before its last step");
       }
     }
     const Result<LogSummary> summary = (*log)->finish();
     if (!summary.ok()) return summary.error();
-    return StreamImport{*summary, rollbacks_, warnings()};
+    return StreamImport{*summary, rollbacks_, warnings(), refusal_ ? refusal_->message : ""};
   }
 
  private:
@@ -226,6 +238,7 @@ class StreamImporter {
     all.insert(all.end(), extras_.notes().begin(), extras_.notes().end());
     const StreamCondition& condition = stream_.condition();
     const std::string last = std::to_string(stream_.steps().back().step);
+    if (refusal_) return all;  // which is said instead
     if (condition.damage) all.push_back(*condition.damage + "; the log ends with step " + last);
     if (was_stopped()) all.push_back(stream_.name() + ": ends without its last frame: " + cut_short());
     return all;
@@ -238,6 +251,10 @@ class StreamImporter {
 
   /// For later readers of the log, which see a whole file.
   [[nodiscard]] std::string cut_short() const {
+    if (refusal_) {
+      return "step " + std::to_string(stream_.steps()[refusal_->frame].step) +
+             " of the recorder's stream is none that a log can hold";
+    }
     const std::string last = std::to_string(stream_.steps().back().step);
     if (was_stopped()) return "the recorder was stopped after step " + last;
     return stream_.condition().damage ? "the recorder's stream is damaged behind step " + last : "";
@@ -245,6 +262,8 @@ class StreamImporter {
 
   const StreamReader& stream_;
   const Progress& progress_;
+  std::optional<Refusal> refusal_;
+  std::size_t frames_;  // to write
   StreamBodies bodies_;
   StreamExtras extras_;
   RollbackCheck rollbacks_;
@@ -261,7 +280,22 @@ Result<StreamImport> import_stream(const StreamReader& stream,
   }
   StreamImporter importer(stream, progress);
   if (Status ok = importer.survey(); !ok.ok()) return ok.error();
-  return importer.write(make_sink);
+  std::shared_ptr<ByteSink> kept;
+  const auto lend = [&]() -> Result<std::unique_ptr<ByteSink>> {
+    if (kept == nullptr) {
+      Result<std::unique_ptr<ByteSink>> sink = make_sink();
+      if (!sink.ok()) return sink.error();
+      kept = *std::move(sink);
+    }
+    return std::unique_ptr<ByteSink>(std::make_unique<LentSink>(kept));
+  };
+  Result<StreamImport> done = importer.write(lend);
+  if (!done.ok() || !importer.refusal() || !can_write_again(*kept)) return done;
+  // Only now is it known where the log ends. Its header says so, and stands before the steps: all is written again.
+  kept->truncate(0);
+  StreamImporter shorter(stream, progress, importer.refusal());
+  if (Status ok = shorter.survey(); !ok.ok()) return ok.error();
+  return shorter.write(lend);
 }
 
 }  // namespace tumble::replay

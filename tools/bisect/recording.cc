@@ -131,6 +131,7 @@ Status Recording::make_log(const std::string& session) const {
     log = golden::log_of_session(session, converted, &*like);
   }
   if (!log.ok()) return log.error();
+  if (!log->refused.empty()) return cannot_finish(log->refused);
   if (!log->unfinished.empty()) return cannot_finish(log->unfinished);
   if (log->path != session) fs::rename(log->path, session, error);
   return error ? Status(cannot_finish(session + ": cannot be replaced: " + error.message())) : Status();

@@ -108,6 +108,10 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
     for (const std::string& warning : done->warnings)
       std::cerr << "tumble import: warning: " << printable(warning) << '\n';
   }
+  if (!done->refused.empty()) {
+    const std::uint64_t last = stream->steps().front().step + done->log.steps;
+    return bad_input(done->refused + "; the log holds the steps before, up to " + std::to_string(last));
+  }
   if (files.json) print_json_result(files, *stream, *done);
   if (!files.json && !files.quiet) print_listing(files, *stream, *done);
   if (done->rollbacks.first && !files.quiet) {

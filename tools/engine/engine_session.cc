@@ -89,11 +89,10 @@ Result<EngineSession> run_engine_session(replay::LogReader& log, const golden::E
     return session;
   }
   Result<golden::SessionLog> made = golden::log_of_session(files->log, converted, &log);
-  if (!made.ok()) {
-    return Error{made.error().kind, (project.file.empty() ? "" : project.file.string() + ": ") +
-                                        "the engine's command \"" + project.run + "\" " + made.error().message +
-                                        golden::end_of_output(place.output)};
-  }
+  const std::string who =
+      (project.file.empty() ? "" : project.file.string() + ": ") + "the engine's command \"" + project.run + "\" ";
+  if (!made.ok()) return Error{made.error().kind, who + made.error().message + golden::end_of_output(place.output)};
+  if (!made->refused.empty()) session.failure = who + made->refused + golden::end_of_output(place.output);
   session.log = std::move(made->path);
   session.warnings = std::move(made->warnings);
   session.unfinished = std::move(made->unfinished);
