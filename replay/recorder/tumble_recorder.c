@@ -850,6 +850,13 @@ static int open_earlier(TumbleRec* rec) {
     set_difference(rec, "order", 0, 0);
     return 0;
   }
+  if (!rec->started && get64(v->frame.at) > 0) {
+    v->active = 0;
+    fail(rec, TUMBLE_REC_BAD_STREAM,
+         "verify: found a ring, which begins after step %" PRIu64 ", wanted a stream from the session's start on",
+         get64(v->frame.at));
+    return 0;
+  }
   v->has_frame = 1;
   return v->by_hash || index_entries(rec);
 }

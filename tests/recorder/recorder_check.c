@@ -198,6 +198,13 @@ static void keeps_a_ring(void) {
   rec = session(def, kNone, 1000);
   check(tumble_rec_dump(rec, "ring.tumblestream") == TUMBLE_REC_OK, "a ring is dumped", tumble_rec_message(rec));
   check(tumble_rec_close(rec) == TUMBLE_REC_OK, "close a ring", NULL);
+  def.ring_s = 0;
+  def.verify = "ring.tumblestream";
+  rec = session(def, kNone, 6);
+  check(tumble_rec_finish(rec) == TUMBLE_REC_BAD_STREAM, "no session is compared with a ring", tumble_rec_message(rec));
+  check(strstr(tumble_rec_message(rec), "found a ring") != NULL, "a ring is named", tumble_rec_message(rec));
+  check(tumble_rec_difference(rec) == NULL, "a ring is no difference", NULL);
+  tumble_rec_close(rec);
 }
 
 static void rewinds(void) {
