@@ -187,6 +187,35 @@ TEST(Export, BodiesAreChosenByName) {
   expect_error(shop.run({"export", "m.tumble", "-o", "x.csv", "--bodies", "kne"}), 2, "names of bodies");
 }
 
+TEST(Export, ANameThatIsAlsoAnIdIsRefused) {
+  const Workshop shop;
+  std::string rows =
+      "# dt: 0.01\nstep,id,name,position.x,position.y,position.z,orientation.w,orientation.x,"
+      "orientation.y,orientation.z\n";
+  for (const char* step : {"0", "1"}) {
+    rows +=
+        std::string(step) + ",1,2,0,0,1,1,0,0,0\n" + step + ",2,3-4,3,0,1,1,0,0,0\n" + step + ",5,5,6,0,1,1,0,0,0\n";
+  }
+  shop.write("m.csv", rows);
+  const Outcome import = shop.run({"import", "m.csv", "-o", "m.tumble"});
+  ASSERT_EQ(import.exit, 0) << import.err;
+  expect_error(shop.run({"export", "m.tumble", "-o", "x.csv", "--bodies", "2"}), 2, "the name of body 1");
+  expect_error(shop.run({"export", "m.tumble", "-o", "x.csv", "--bodies", "5,3-4"}), 2, "wanted 2-2 for that body");
+  EXPECT_EQ(shop.run({"export", "m.tumble", "-o", "x.csv", "--bodies", "5,1-1"}).exit, 0);
+}
+
+/// numpy would hold another text.
+TEST(Export, ATextThatIsNoUtf8HasNoPlaceInAnArchive) {
+  const Workshop shop;
+  shop.write("t.csv",
+             "# escapes: percent\n# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+             "orientation.y,orientation.z,channel.word\n0,1,0,0,1,1,0,0,0,%c3%a9\n1,1,0,0,1,1,0,0,0,a%ff\n");
+  ASSERT_EQ(shop.run({"import", "t.csv", "-o", "t.tumble"}).exit, 0);
+  expect_error(shop.run({"export", "t.tumble", "-o", "t.npz"}), 2, "a text that is no UTF-8");
+  EXPECT_EQ(shop.run({"export", "t.tumble", "-o", "t.npz", "--steps", "0:0"}).exit, 0);
+  EXPECT_EQ(shop.run({"export", "t.tumble", "-o", "back.csv"}).exit, 0);
+}
+
 /// numpy alone reads the archive; every number is the one of `dump`, to the bit.
 TEST(Export, NumpyReadsTheArchive) {
   if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {

@@ -33,6 +33,21 @@ struct ExportCommand {
   bool json = false;
 };
 
+/// Errors (kBadInput): the name of a body that reads as the ids of others.
+Status check_name(const std::string& word, const replay::BodyTable& table) {
+  const Result<replay::BodyChoice> read = replay::parse_bodies(word);
+  if (!read.ok() || read->ids.empty()) return {};
+  const replay::BodyChoice::Ids ids = read->ids.front();
+  for (const auto& [id, info] : table.bodies()) {
+    if (info.name != word || (read->ids.size() == 1 && ids.first == id && ids.last == id)) continue;
+    const std::string own = std::to_string(id);
+    return bad_input("--bodies: found " + in_quotes(word) + ", the name of body " + own +
+                     " and an id or a range of ids too; wanted " + own + "-" + own +
+                     " for that body, or ranges, as 2-2, for the others");
+  }
+  return {};
+}
+
 /// "--bodies": names of bodies beside the words of replay::parse_bodies().
 Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice(const std::string& text,
                                                                                  const replay::BodyTable& table) {
@@ -42,6 +57,7 @@ Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice
     if (!info.name.empty()) named.insert(info.name);
   }
   if (named.contains(text)) {  // a name may have commas
+    if (Status ok = check_name(text, table); !ok.ok()) return ok.error();
     return std::function([text](const sim::BoxDef& /*box*/, const std::string& name) { return name == text; });
   }
   std::string others;
@@ -50,6 +66,7 @@ Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice
     const std::string word = text.substr(begin, end - begin);
     begin = end + 1;
     if (named.contains(word)) {
+      if (Status ok = check_name(word, table); !ok.ok()) return ok.error();
       names.insert(word);
     } else {
       others += (others.empty() ? "" : ",") + word;

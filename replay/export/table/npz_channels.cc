@@ -8,11 +8,21 @@
 #include "replay/export/table/npz_texts.h"
 #include "replay/export/table/table_frame.h"
 #include "src/base/text.h"
+#include "src/base/utf8.h"
 
 namespace tumble::replay {
 namespace {
 
 constexpr std::uint64_t kTextBytesMax = std::uint64_t{64} << 20U;  // of the array of a channel's different texts
+
+bool is_utf8(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_at(text, at).length;
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
 
 bool is_text(ChannelKind kind) { return !is_number(kind); }
 
@@ -120,6 +130,10 @@ Status NpzChannels::put_value(Column& column, const ChannelValues& values, std::
     if (text.ends_with('\0')) {
       return bad_input(column.name + " of " + of + ": found a text that ends with a zero byte, which numpy cuts off; " +
                        "export to .csv or .mcap");
+    }
+    if (!is_utf8(text)) {
+      return bad_input(column.name + " of " + of + ": found a text that is no UTF-8, which numpy cannot hold; " +
+                       "export to .csv");
     }
     const auto [place, is_new] = column.numbers.try_emplace(text, static_cast<std::uint32_t>(column.numbers.size()));
     column.longest = std::max(column.longest, text.size());
