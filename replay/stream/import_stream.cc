@@ -281,14 +281,7 @@ Result<StreamImport> import_stream(const StreamReader& stream,
   StreamImporter importer(stream, progress);
   if (Status ok = importer.survey(); !ok.ok()) return ok.error();
   std::shared_ptr<ByteSink> kept;
-  const auto lend = [&]() -> Result<std::unique_ptr<ByteSink>> {
-    if (kept == nullptr) {
-      Result<std::unique_ptr<ByteSink>> sink = make_sink();
-      if (!sink.ok()) return sink.error();
-      kept = *std::move(sink);
-    }
-    return std::unique_ptr<ByteSink>(std::make_unique<LentSink>(kept));
-  };
+  const auto lend = [&] { return lend_sink(kept, make_sink); };
   Result<StreamImport> done = importer.write(lend);
   if (!done.ok() || !importer.refusal() || !can_write_again(*kept)) return done;
   // Only now is it known where the log ends. Its header says so, and stands before the steps: all is written again.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,6 +26,17 @@ class LentSink : public ByteSink {
  private:
   std::shared_ptr<ByteSink> sink_;
 };
+
+/// Lends `kept`, which is made at the first call. Errors: those of `make`.
+inline Result<std::unique_ptr<ByteSink>> lend_sink(std::shared_ptr<ByteSink>& kept,
+                                                   const std::function<Result<std::unique_ptr<ByteSink>>()>& make) {
+  if (kept == nullptr) {
+    Result<std::unique_ptr<ByteSink>> sink = make();
+    if (!sink.ok()) return sink.error();
+    kept = *std::move(sink);
+  }
+  return std::unique_ptr<ByteSink>(std::make_unique<LentSink>(kept));
+}
 
 /// A file or memory can; a device or a pipe keeps what was written.
 inline bool can_write_again(const ByteSink& sink) {
