@@ -12,6 +12,9 @@
 #include "golden/bundle/manifest.h"
 #include "golden/judge/case_series.h"
 #include "golden/run/run_case.h"
+#include "golden/suite/text_files.h"
+#include "src/base/schema_name.h"
+#include "src/base/text.h"
 #include "src/files/file_kind.h"
 #include "src/files/output_file.h"
 #include "src/files/output_guard.h"
@@ -26,6 +29,8 @@ constexpr const char* kCases = "cases";  // in a suite, and in a report
 constexpr const char* kPage = "index.html";
 constexpr const char* kJunit = "junit.xml";
 constexpr const char* kFindings = "gl-code-quality-report.json";
+/// Is there from the beginning of a check on, so that one that is stopped leaves a folder that the next may clear.
+constexpr const char* kMark = ".tumble-report";
 
 files::OutputGuard guard_of(const fs::path& suite) {
   files::OutputGuard guard;
@@ -51,23 +56,48 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-/// A folder that a link leads to is not the report's.
-void remove_files_of_cases(const fs::path& cases) {
+/// Of folder/cases/*/. A folder that a link leads to is not the report's.
+std::vector<fs::path> files_of_cases(const fs::path& folder) {
+  std::vector<fs::path> found;
   std::error_code ignored;
-  if (!fs::is_directory(fs::symlink_status(cases, ignored))) return;
-  for (const fs::path& folder : entries_of(cases)) {
-    if (!fs::is_directory(fs::symlink_status(folder, ignored))) continue;
-    for (const fs::path& file : entries_of(folder)) {
-      if (is_left_of_a_case(file.filename().string())) fs::remove(file, ignored);
+  if (!fs::is_directory(fs::symlink_status(folder / kCases, ignored))) return found;
+  for (const fs::path& one : entries_of(folder / kCases)) {
+    if (!fs::is_directory(fs::symlink_status(one, ignored))) continue;
+    for (const fs::path& file : entries_of(one)) {
+      if (is_left_of_a_case(file.filename().string())) found.push_back(file);
     }
-    fs::remove(folder, ignored);  // once it is empty
   }
+  return found;
+}
+
+void remove_files_of_cases(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::path& file : files_of_cases(folder)) {
+    fs::remove(file, ignored);
+    fs::remove(file.parent_path(), ignored);  // once it is empty
+  }
+}
+
+bool held_a_report(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder / kMark, ignored) || read_manifest(folder).ok()) return true;
+  const Result<std::string> report = read_text(folder / kReportFile);
+  return report.ok() && report->find('"' + schema_name("check") + '"') != std::string::npos;
+}
+
+/// A person may have files of those names.
+Status check_files_of_cases(const fs::path& folder) {
+  if (held_a_report(folder)) return {};
+  const std::vector<fs::path> files = files_of_cases(folder);
+  if (files.empty()) return {};
+  return bad_input("--report: " + printable(files.front().string()) + ": exists, and " + printable(folder.string()) +
+                   " holds no earlier report whose file it could be; name another folder, or remove it first");
 }
 
 void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
   std::error_code ignored;
   fs::remove(folder / kBundleFile, ignored);  // first: without it the rest is no bundle
-  remove_files_of_cases(folder / kCases);
+  remove_files_of_cases(folder);
   for (const fs::path& file :
        {folder / kReportFile, folder / kPage, folder / kJunit, folder / kFindings, junit_file(folder, junit)}) {
     if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
@@ -96,7 +126,9 @@ Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path
   }
   const char* option = junit.empty() ? "--report" : "--junit";
   if (Status ok = claim(guard, option, junit_file(folder, junit), files::FileKind::kJunit); !ok.ok()) return ok;
+  if (Status ok = check_files_of_cases(folder); !ok.ok()) return ok;
   if (Status ok = make_folder(folder); !ok.ok()) return ok;
+  if (Status ok = files::write_whole_file((folder / kMark).string(), ""); !ok.ok()) return ok;
   remove_earlier_report(folder, junit);
   return {};
 }

@@ -102,8 +102,9 @@ TEST_F(EarlierReport, IsGoneWhereTheCheckIsNotFinished) {
 }
 
 TEST_F(EarlierReport, TakesItsFilesOfCasesAlong) {
-  shop_.write("r/report.json",
-              R"({"cases": [{"artifacts": ["cases/gone/actual.tumble", "cases/../../s/HISTORY.md", "", 7]}]})");
+  shop_.write(
+      "r/report.json",
+      R"({"schema": "urn:tumble:json:1:check", "cases": [{"artifacts": ["cases/gone/actual.tumble", "cases/../../s/HISTORY.md", "", 7]}]})");
   shop_.write("r/cases/gone/actual.tumble", "of a case that is no more");
   shop_.write("r/cases/mine/notes.txt", "a person's");
   ASSERT_EQ(check({}).exit, 0);
@@ -120,10 +121,25 @@ TEST_F(EarlierReport, IsToldFromTheGoldensOfAnotherSuite) {
   const Words left = {"other/cases/one/frame_0012.actual.png", "other/cases/one/series.json",
                       "other/cases/gone/expected_track.csv"};
   for (const std::string& file : left) shop_.write(file, kOld);
+  // A folder that never held a report has none to remove.
+  const Outcome refused = shop_.run({"check", "--suite", "s", "--report", "other"});
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find("holds no earlier report"), std::string::npos) << refused.err;
+  for (const std::string& file : left) EXPECT_TRUE(fs::exists(shop_.path(file))) << file;
+  EXPECT_FALSE(fs::exists(shop_.path("other/index.html")));
+  shop_.write("other/report.json", R"({"schema": "urn:tumble:json:1:check"})");
   ASSERT_EQ(shop_.run({"check", "--suite", "s", "--report", "other"}).exit, 0);
   for (const std::string& file : goldens) EXPECT_TRUE(fs::exists(shop_.path(file))) << file;
   for (const std::string& file : left) EXPECT_FALSE(fs::exists(shop_.path(file))) << file;
   EXPECT_FALSE(fs::exists(shop_.path("other/cases/gone"))) << "it is empty";
+}
+
+// A check that was stopped leaves files of cases and no report.
+TEST_F(EarlierReport, IsClearedWhereItIsNotFinished) {
+  EXPECT_EQ(shop_.run_after("ulimit -f 4; ", {"check", "--suite", "s", "--report", "r"}).exit, 4);
+  shop_.write("r/cases/one/actual.tumble", kOld);
+  EXPECT_EQ(check({}).exit, 0);
+  EXPECT_FALSE(fs::exists(shop_.path("r/cases/one")));
 }
 
 TEST(EarlierPictures, AreSaidWhereTheyStay) {
