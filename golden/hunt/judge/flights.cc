@@ -39,17 +39,17 @@ bool listed(const TracedStep& step, sim::BodyId id) {
 
 Judgement judge_unmet(const Trace& trace) {
   if (trace.scene.world.air_drag != 0) return not_applicable("air slows bodies down");
-  Worst worst("m/s");
+  Worst worst("");
   const bool any = for_unmet(trace, [&](std::size_t k, BodyIndex i, BodyIndex j) {
     const Bodies &begun = trace.begun(k).bodies, &after = trace.after(k).bodies;
     const Vec3 fall = trace.begun(k).def.gravity * trace.steps[k].dt;
     const double off = length(after.velocity[j] - (begun.velocity[i] + fall));
     worst.add(k + 1, begun.id[i], off, 1e-9 + (1e-12 + trace.rounding) * (length(begun.velocity[i]) + length(fall)),
-              "a body that meets nothing changed its velocity");
+              "a body that meets nothing changed its velocity (m/s)");
     const double turned = length(spin_momentum(after, j) - spin_momentum(begun, i));
     const double least = moments_of(begun, i).minCoeff();
     worst.add(k + 1, begun.id[i], turned, (1e-6 + trace.rounding) * length(spin_momentum(begun, i)) + 1e-9 * least,
-              "a body that meets nothing changed its angular momentum");
+              "a body that meets nothing changed its angular momentum (kg·m²/s)");
   });
   return any ? worst.judgement() : not_applicable("no body is surely far from all others");
 }
