@@ -49,5 +49,37 @@ TEST(HuntAnswers, AShardWithoutScenesSaysSo) {
   EXPECT_TRUE(tells(run.out, "nothing was judged: none of 2 scenes is the shard's")) << run.out;
 }
 
+// What --judge and --merge would leave aside is refused.
+TEST(HuntAnswers, NoArgumentIsIgnored) {
+  const Workshop shop;
+  const std::vector<Words> hunting = {{"--seed", "3"},    {"--count", "1"}, {"--time", "1"},
+                                      {"--shard", "2/2"}, {"--print", "3"}, {"--unshrunk"}};
+  const auto expect_refused = [&shop](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome run = shop.run(words);
+    EXPECT_EQ(run.exit, 2) << more.front() << run.out;
+    EXPECT_TRUE(tells(run.err, more.front())) << run.err;
+  };
+  const Words judge = {"hunt", "--judge", kKnownScenes, "--relation", "slope"};
+  const Words merge = {"hunt", "--merge", kKnownScenes, "--corpus", "sum"};
+  for (const Words& more : hunting) {
+    expect_refused(judge, more);
+    expect_refused(merge, more);
+  }
+  expect_refused(judge, {"--folder", "kept"});
+  expect_refused(judge, {"--merge", "other"});
+  expect_refused(merge, {"--engine"});
+  expect_refused(merge, {"--relation", "slope"});
+  expect_refused(merge, {"--against", TUMBLE_PROGRAM});
+}
+
+// 1.6e-05 of an angular momentum.
+TEST(HuntAnswers, AFoundValueHasTheUnitOfItsQuantity) {
+  const Workshop shop;
+  const Outcome run = shop.run({"hunt", "--judge", kKnownScenes, "--relation", "unmet"});
+  EXPECT_TRUE(tells(run.out, "changed its angular momentum (kg·m²/s): ")) << run.out;
+  EXPECT_FALSE(tells(run.out, " m/s")) << run.out;
+}
+
 }  // namespace
 }  // namespace tumble::test

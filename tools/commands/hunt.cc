@@ -172,31 +172,42 @@ Result<Exit> hunt_for(const HuntCommand& options) {
 
 Action declare_hunt(Arguments& arguments) {
   auto options = std::make_shared<HuntCommand>();
-  arguments.whole("--seed", "S", options->seed, 0, kNumberMax, "Of the scenes; 1 if not given");
-  arguments.whole("--count", "N", options->count, 1, kNumberMax, "Judge scenes 0 to N - 1 of the seed");
-  arguments.positive("--time", "T", options->time, 1e7, "Seconds to hunt; 60 if neither this nor --count is given");
-  arguments.option("--shard", "K/N", options->shard,
-                   "Only the scenes whose number mod N is K - 1; auto: as the environment of the build system says");
-  arguments.option("--relation", "NAME", options->relations,
-                   "Judge by this relation or law alone; may be repeated; all if not given");
-  arguments.option("--against", "PROGRAM", options->against,
-                   "Another build of tumble: every session must have the same bits there");
-  arguments.flag(
+  const Argument seed = arguments.whole("--seed", "S", options->seed, 0, kNumberMax, "Of the scenes; 1 if not given");
+  const Argument count =
+      arguments.whole("--count", "N", options->count, 1, kNumberMax, "Judge scenes 0 to N - 1 of the seed");
+  const Argument time =
+      arguments.positive("--time", "T", options->time, 1e7, "Seconds to hunt; 60 if neither this nor --count is given");
+  const Argument shard = arguments.option(
+      "--shard", "K/N", options->shard,
+      "Only the scenes whose number mod N is K - 1; auto: as the environment of the build system says");
+  const Argument relation = arguments.option("--relation", "NAME", options->relations,
+                                             "Judge by this relation or law alone; may be repeated; all if not given");
+  const Argument against = arguments.option("--against", "PROGRAM", options->against,
+                                            "Another build of tumble: every session must have the same bits there");
+  const Argument engine = arguments.flag(
       "--engine", options->engine,
       "Judge the engine of the nearest tumble.toml; what its [engine.claims] lacks is measured and no failure");
-  arguments.option("--folder", "DIR", options->folder,
-                   "Keep the hunt in this folder, and go on with the hunt that it holds");
+  const Argument folder = arguments.option("--folder", "DIR", options->folder,
+                                           "Keep the hunt in this folder, and go on with the hunt that it holds");
   const Argument corpus = arguments.option("--corpus", "DIR", options->corpus,
                                            "Add scenes to this folder that do something none in it does");
-  arguments.option("--merge", "DIR", options->merge,
-                   "Hunt nothing; add another corpus to that of --corpus, or with --folder merge the folders of all "
-                   "shards into it; may be repeated");
-  arguments.option("--judge", "DIR", options->judge, "Hunt nothing; judge the scenes DIR/*.toml").excludes(corpus);
+  const Argument merge = arguments.option(
+      "--merge", "DIR", options->merge,
+      "Hunt nothing; add another corpus to that of --corpus, or with --folder merge the folders of all "
+      "shards into it; may be repeated");
+  const Argument judge =
+      arguments.option("--judge", "DIR", options->judge, "Hunt nothing; judge the scenes DIR/*.toml");
   arguments.threads(options->threads);
   const Argument print =
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
   arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
-  arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
+  const Argument unshrunk =
+      arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
+  // What would be left aside without a word.
+  for (const Argument& other : {seed, count, time, shard, folder, corpus, merge, print, unshrunk})
+    judge.excludes(other);
+  for (const Argument& other : {seed, count, time, shard, relation, against, engine, print, unshrunk})
+    merge.excludes(other);
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 no scene broke a relation, 1 findings, 2 bad usage or a folder of another hunt, 4 could not\n"
