@@ -70,10 +70,8 @@ Status check_engine(const EngineDef& def) {
     return bad_input("engine: found " + std::to_string(def.phases.size()) + " phases, wanted at most " +
                      std::to_string(kPhasesMax));
   }
-  if (def.table) {
-    if (Status ok = check_table(*def.table); !ok.ok()) return ok;
-  }
-  return check_declared(def.declared);
+  const Status table = def.table ? check_table(*def.table) : Status();
+  return table.ok() ? check_declared(def.declared) : table;
 }
 
 LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
@@ -144,9 +142,8 @@ Status EngineLog::input(const sim::Command& command) {
   const auto* thrown = std::get_if<sim::Throw>(&command);
   Status applied;
   if (thrown != nullptr) {
-    if (Status ok = check_rotation(thrown->box.id, thrown->box.orientation); !ok.ok()) {
-      return at_step(ok.error().message);
-    }
+    const Status turned = check_rotation(thrown->box.id, thrown->box.orientation);
+    if (!turned.ok()) return at_step(turned.error().message);
     sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
     awake.box.frozen = false;
     applied = sim::apply(world_, awake);
