@@ -279,3 +279,14 @@ def test_a_refused_step_ends_a_whole_log(tmp_path, bad):
     read = tumble.Log(path)
     assert read.whole and read.last_step == 100 and len(read.bodies) == 3
     assert tumble.run("info", path).code == 0
+
+
+@pytest.mark.parametrize("unread", [{"position": [(1, 2)]}, {"velocity": None}, {"channels": {"nope": 1}},
+                                    {"notes": "abc"}, {"position": [(2**53 + 1, 0, 0)] * 2}, {"snapshot": 3}])
+def test_a_step_that_cannot_be_read_is_no_step(tmp_path, unread):
+    with recorder(tmp_path / "on.tumble") as log:
+        log.step(**zeros())
+        with pytest.raises(tumble.BadInput, match="^(?!step )"):
+            log.step(**{**zeros(), **unread})
+        log.step(**zeros())
+    assert tumble.Log(tmp_path / "on.tumble").last_step == 2
