@@ -60,6 +60,7 @@ class Chain {
         // What was found stands; only the first answer must not fail.
         if (blame_.answers.empty()) return next.error();
         blame_.ends = next.error().message;
+        blame_.damaged = next.error().kind == ErrorKind::kDamaged;
         return blame_;
       }
       if (!*next) break;

@@ -52,6 +52,7 @@ struct Blame {
   std::vector<BlameAnswer> answers;  ///< at least one
   bool complete = false;             ///< the last answer is where it began
   std::string ends;                  ///< the reason why the chain stops there
+  bool damaged = false;              ///< which is that the step before cannot be read
   std::vector<std::string> notes;    ///< for people: what this account rests on, where the log is not whole
 };
 

@@ -10,8 +10,12 @@ template <class Differs>
 Result<std::uint64_t> last_step(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
                                 Differs differs) {
   const LogReader& log = steps.log();
+  const std::uint64_t from = k;
   for (; k > log.first_state() && log.holds(k - 1); --k) {
     const Result<std::optional<BodyMotion>> before = steps.after(k - 1, body);
+    // Missing like one that is not held. The state after step k may be a keyframe's, and the step itself lost.
+    if (!before.ok() && before.error().kind == ErrorKind::kDamaged)
+      return k < from && !steps.inputs(k).ok() ? k + 1 : k;
     if (!before.ok()) return before.error();
     if (!before->has_value() || differs((*before)->of(field))) return k;
   }

@@ -10,7 +10,8 @@
 namespace tumble::replay {
 
 /// The last step up to k whose state differs in the field from the one before it, or before which there was no such
-/// body; the step after missing steps, or the log's first state, where none does. Errors: StepsAgain::after's.
+/// body; the step after missing or damaged steps, or the log's first state, where none does. Errors:
+/// StepsAgain::after's.
 Result<std::uint64_t> step_it_changed(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field);
 
 /// The last step up to k in which the greater part of the value arose: before it, the value was further away than half

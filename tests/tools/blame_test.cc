@@ -33,6 +33,28 @@ TEST(BlameCommand, FollowsAThrowToItsLine) {
   EXPECT_NE(shown.out.find(origin), std::string::npos) << shown.out;
 }
 
+// A damaged log is explained as far as what `recover` makes of it.
+TEST(BlameCommand, GoesAsFarInADamagedLogAsInTheRecoveredOne) {
+  const Workshop shop;
+  ASSERT_EQ(shop.run({"record", "layered_inputs", "-o", "d.tumble", "--quiet"}).exit, 0);
+  std::string bytes = shop.read("d.tumble");
+  for (std::size_t k = 0; k < 40; ++k) bytes[bytes.size() / 2 + k] ^= 0x55;
+  shop.write("d.tumble", bytes);
+  ASSERT_LE(shop.run({"recover", "d.tumble", "-o", "r.tumble"}).exit, 3);
+  const std::string said = shop.run({"info", "r.tumble"}).out;
+  const std::size_t at = said.find(" were lost");
+  ASSERT_NE(at, std::string::npos) << said;
+  const int last = std::stoi(said.substr(said.rfind(" to ", at) + 4));
+  const auto asked = [&](const char* log) {
+    return shop.run({"blame", log, "--body", "4", "--field", "velocity.x", "--step", std::to_string(last + 2), "--back",
+                     "12", "--json"});
+  };
+  const Outcome damaged = asked("d.tumble"), recovered = asked("r.tumble");
+  EXPECT_EQ(damaged.exit, 3) << damaged.err;
+  EXPECT_NE(damaged.err.find("'tumble recover' saves the intact part"), std::string::npos) << damaged.err;
+  EXPECT_EQ(parsed(damaged)["answers"], parsed(recovered)["answers"]);
+}
+
 TEST(BlameCommand, RefusesWithAReason) {
   const Workshop shop;
   shop.record_small("s");

@@ -1,6 +1,7 @@
 // tumble blame: from a value of a body back to what wrote it.
 #include "replay/blame/blame.h"
 
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -64,6 +65,10 @@ Result<Exit> blame(const BlameCommand& options) {
     print_json("blame", blame_json(*found));
   } else {
     print_blame(*found);
+  }
+  if (found->damaged && log->condition().whole()) {  // opening a log reads no step
+    std::cerr << "tumble blame: " << printable(found->ends) << "; 'tumble recover' saves the intact part\n";
+    return Exit::kDamaged;
   }
   return judge("blame", *log, Exit::kSame);
 }
