@@ -58,14 +58,16 @@ Status all_there(const std::vector<fs::path>& folders, std::map<std::uint64_t, P
   const std::uint64_t shards = parts.empty() ? 0 : parts.begin()->second.state.share.shards;
   for (std::uint64_t k = 1; k <= shards; ++k) {
     if (parts.contains(k)) continue;
-    problems.push_back(bad_input(shard_text({k, shards}) +
-                                 ": is missing: none of the folders holds it; run it with --shard " +
-                                 std::to_string(k) + '/' + std::to_string(shards)));
+    problems.push_back(
+        bad_input(shard_text({k, shards}) +
+                  ": is missing: none of the folders holds one that can be merged; run it with --shard " +
+                  std::to_string(k) + '/' + std::to_string(shards)));
   }
   if (problems.empty() && parts.empty())
     return bad_input("--merge: found no folder, wanted the --folder of every shard");
   if (problems.empty()) return {};
-  Error all{ErrorKind::kBadInput, "the hunts cannot be merged: " + std::to_string(problems.size()) + " problems:"};
+  Error all{ErrorKind::kBadInput, "the hunts cannot be merged: " + std::to_string(problems.size()) +
+                                      (problems.size() == 1 ? " problem:" : " problems:")};
   for (const Error& one : problems) {
     if (one.kind == ErrorKind::kDamaged) all.kind = one.kind;
     all.message += "\n  " + one.message;

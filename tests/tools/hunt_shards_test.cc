@@ -71,7 +71,9 @@ TEST_F(HuntShards, MergeToTheHuntThatHasNone) {
 TEST_F(HuntShards, NameTheShardThatIsLostDoubledForeignOrDamaged) {
   hunt_shards();
   fs::copy(shop_.path("two"), shop_.path("again"), fs::copy_options::recursive);
-  expect_refused({"one"}, {"shard 2 of 2: is missing", "--shard 2/2"});
+  expect_refused({"one"},
+                 {"merged: 1 problem:\n", "shard 2 of 2: is missing: none of the folders holds one that can be merged",
+                  "--shard 2/2"});
   expect_refused({"one", "two", "again"}, {"again: shard 2 of 2: is there twice: two holds it too"});
   expect_refused({"one", "nowhere"}, {"nowhere: holds no hunt.json", "shard 2 of 2: is missing"});
   Json state = Json::parse(shop_.read("again/hunt.json"));
