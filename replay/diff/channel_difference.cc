@@ -114,6 +114,21 @@ bool comparable(const ChannelType& a, const ChannelType& b) {
   return a.scope == b.scope && (a.kind == b.kind || (is_number(a.kind) && is_number(b.kind)));
 }
 
+/// What equal values of a channel leave open: whether their kinds and units mean the same.
+std::vector<std::string> reservations(const Channel& a, const Channel& b) {
+  std::vector<std::string> parts;
+  const auto unit = [](const Channel& channel) { return channel.unit.empty() ? "none" : channel.unit; };
+  if (a.type.kind != b.type.kind) {
+    parts.push_back("channel " + a.name + ": its kind, " + name_of(a.type.kind) + " in the first log and " +
+                    name_of(b.type.kind) + " in the second; values were compared as numbers");
+  }
+  if (a.unit != b.unit) {
+    parts.push_back("channel " + a.name + ": its unit, " + unit(a) + " in the first log and " + unit(b) +
+                    " in the second");
+  }
+  return parts;
+}
+
 bool compares_across_engines(const std::string& name, const Tolerances& tolerances) {
   return tolerances.fields.contains(kChannelField + name);
 }
@@ -161,6 +176,7 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
       match.passed_over.push_back(named + "the logs are of two engines; a tolerance compares it");
     } else {
       match.compared.push_back({channel.name, channel.type, in_b.channels[j].type.kind, channel.unit, i, j});
+      for (std::string& part : reservations(channel, in_b.channels[j])) match.passed_over.push_back(std::move(part));
       match.equal = match.equal && i == j && channel.type == in_b.channels[j].type;
     }
   }

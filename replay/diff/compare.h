@@ -40,8 +40,11 @@ struct DiffReport {
   [[nodiscard]] std::string though() const;
   /// No difference in any step, the same last step, and no data that one log lacks.
   [[nodiscard]] bool identical() const { return !first.has_value() && last_a == last_b && only_in.empty(); }
-  /// Whether the second, a session computed again, has all that the first one holds; it may hold more channels.
-  [[nodiscard]] bool computed_again() const { return !first.has_value() && last_a == last_b && only_in.a.empty(); }
+  /// Whether the second, a session computed again, has all that the first one holds; it may hold more channels, but no
+  /// input that the first had not.
+  [[nodiscard]] bool computed_again() const {
+    return !first.has_value() && last_a == last_b && only_in.a.empty() && !only_in.adds_input();
+  }
   /// Where steps are equal, though the sessions are not: "another number of steps, 40 and 30", "only the first has
   /// channel knee". Otherwise empty.
   [[nodiscard]] std::string unequal(const std::string& name_a, const std::string& name_b) const;

@@ -205,6 +205,11 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
     const std::vector<Channel>& there = other.declared.channels;
     if (other.declared.find(channel.name) == there.size()) parts.push_back("channel " + channel.name);
   }
+  for (const BodyInfo& body : one.declared.bodies) {
+    const auto same = [&](const BodyInfo& its) { return its.id == body.id && its.shape == body.shape; };
+    if (body.shape == Hash128() || std::ranges::any_of(other.declared.bodies, same)) continue;
+    parts.push_back("its shape of body " + std::to_string(body.id));
+  }
   if (!one.engine || !other.engine) return parts;  // phases of ours change with the version of their hashes
   for (const std::string& phase : one.phases) {
     if (std::ranges::find(other.phases, phase) == other.phases.end()) parts.push_back("phase hashes of " + phase);
@@ -268,6 +273,10 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
 const HeaderDifference* first_cause(const std::vector<HeaderDifference>& differences) {
   const auto first = std::ranges::find_if(differences, [](const HeaderDifference& d) { return d.acts && !d.excused; });
   return first == differences.end() ? nullptr : &*first;
+}
+
+bool OnlyInOne::adds_input() const {
+  return std::ranges::any_of(b, [](const std::string& part) { return part.starts_with("channel input."); });
 }
 
 OnlyInOne only_in_one(const LogHeader& a, const LogHeader& b) { return {lacking(a, b), lacking(b, a)}; }

@@ -37,17 +37,19 @@ std::vector<HeaderDifference> scene_differences(const sim::SceneDef& a, const si
 const HeaderDifference* first_cause(const std::vector<HeaderDifference>& differences);
 
 /// Data that one of two logs of one engine has in its header and the other lacks: "channel knee", "phase hashes of
-/// solve". Nothing compared it.
+/// solve", "its shape of body 4". Nothing compared it.
 struct OnlyInOne {
   std::vector<std::string> a;  ///< of the first log
   std::vector<std::string> b;  ///< of the second
   [[nodiscard]] bool empty() const { return a.empty() && b.empty(); }
+  /// Whether the second has an input by name that the first had not.
+  [[nodiscard]] bool adds_input() const;
   /// "only before.tumble has channel knee"; empty where nothing is missing.
   [[nodiscard]] std::string text(const std::string& name_a, const std::string& name_b) const;
 };
 
-/// Channels, and phases with hashes of another engine, that one of two logs declares and the other does not. Both are
-/// logs of one engine.
+/// Channels, shapes of the bodies at the start, and phases with hashes of another engine, that one of two logs declares
+/// and the other does not. Both are logs of one engine.
 OnlyInOne only_in_one(const LogHeader& a, const LogHeader& b);
 
 }  // namespace tumble::replay

@@ -112,6 +112,43 @@ TEST(Channels, OneThatOneLogLacksIsNoIdentity) {
   EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble", "b.tumble", "--shared"}).exit, 2) << "an option for two logs";
 }
 
+/// Two rows of a body, whose shape, and the unit and the kind of whose channel, are those given.
+void import_ball(const Workshop& shop, const std::string& name, const std::string& shape, const std::string& unit,
+                 const std::string& seed = "7") {
+  const std::string zeros = ",0,0,1,1,0,0,0,0,0,0,0,0,0,0,0.5,";
+  shop.write(name + ".csv",
+             "# engine: toy\n# dt: 1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+             "orientation.y,orientation.z,velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z,frozen,channel.knee" +
+                 unit + ",world.seed,shape\n0,1" + zeros + seed + ',' + shape + "\n1,1" + zeros + seed + ',' + shape +
+                 '\n');
+  const Outcome run = shop.run({"import", name + ".csv"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+}
+
+TEST(Channels, AnotherShapeIsNoIdentity) {
+  const Workshop shop;
+  import_ball(shop, "a", "box", "");
+  import_ball(shop, "b", "sphere", "");
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"diff", "a.tumble", "b.tumble"}, {"bisect", "a.tumble", "b.tumble"}}) {
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 1) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("only b.tumble has its shape of body 1"), std::string::npos) << outcome.out;
+  }
+  import_ball(shop, "b", "box", "");
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble"}).exit, 0);
+}
+
+TEST(Channels, OtherUnitsAndKindsAreNotTheSameInEveryBit) {
+  const Workshop shop;
+  import_ball(shop, "a", "box", " (rad)");
+  import_ball(shop, "b", "box", " (deg)", "7.0");
+  const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(diff.out.find("every bit"), std::string::npos) << diff.out;
+  EXPECT_NE(diff.out.find("knee: its unit, rad in the first log and deg in the second"), std::string::npos) << diff.out;
+  EXPECT_NE(diff.out.find("second; values were compared as numbers"), std::string::npos) << diff.out;
+}
+
 TEST(Channels, HeaderLinesHaveTheNamesOfBodies) {
   const Workshop shop;
   import(shop, "a", table("0.22"));
