@@ -33,6 +33,12 @@ struct ExportCommand {
   bool json = false;
 };
 
+Error named_as_ids(const std::string& word, const std::string& own) {
+  return bad_input("--bodies: found " + in_quotes(word) + ", the name of body " + own +
+                   " and an id or a range of ids too; wanted " + own + "-" + own +
+                   " for that body, or ranges, as 2-2, for the others");
+}
+
 /// Errors (kBadInput): the name of a body that reads as the ids of others.
 Status check_name(const std::string& word, const replay::BodyTable& table) {
   const Result<replay::BodyChoice> read = replay::parse_bodies(word);
@@ -40,10 +46,7 @@ Status check_name(const std::string& word, const replay::BodyTable& table) {
   const replay::BodyChoice::Ids ids = read->ids.front();
   for (const auto& [id, info] : table.bodies()) {
     if (info.name != word || (read->ids.size() == 1 && ids.first == id && ids.last == id)) continue;
-    const std::string own = std::to_string(id);
-    return bad_input("--bodies: found " + in_quotes(word) + ", the name of body " + own +
-                     " and an id or a range of ids too; wanted " + own + "-" + own +
-                     " for that body, or ranges, as 2-2, for the others");
+    return named_as_ids(word, std::to_string(id));
   }
   return {};
 }
