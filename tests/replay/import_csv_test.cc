@@ -6,8 +6,7 @@
 #include <bit>
 #include <cstdlib>
 
-#include "replay/log/byte_memory.h"
-#include "tests/support/log_memory.h"
+#include "tests/replay/imported_table.h"
 #include "tumble/replay/compare.h"
 
 namespace tumble::replay {
@@ -19,21 +18,6 @@ const std::string kColumns =
 
 /// A table of one body: its header lines, and its rows after "step,id,".
 std::string table(const std::string& header, const std::string& rows) { return header + kColumns + "\n" + rows; }
-
-Result<LogReader> import(const std::string& text, const ImportOptions& options = {}) {
-  const MemoryFile file = std::make_shared<std::vector<std::byte>>();
-  const auto sink = [&]() -> Result<std::unique_ptr<ByteSink>> {
-    return std::unique_ptr<ByteSink>(std::make_unique<MemoryByteSink>(file, "t.tumble"));
-  };
-  const Result<LogSummary> summary = import_csv(text, "t.csv", sink, options);
-  if (!summary.ok()) return summary.error();
-  return LogReader::open(std::make_unique<MemoryByteSource>(file, "t.tumble"));
-}
-
-std::string error_of(const std::string& text, const ImportOptions& options = {}) {
-  const Result<LogReader> log = import(text, options);
-  return log.ok() ? "no error" : log.error().message;
-}
 
 sim::Vec3 position(LogReader& log, std::uint64_t k, std::size_t row = 0) {
   return (*log.read_step(k))->states.position[row];

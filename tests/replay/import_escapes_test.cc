@@ -3,37 +3,10 @@
 
 #include <utility>
 
-#include "replay/import/import_csv.h"
-#include "replay/log/byte_memory.h"
-#include "tests/support/log_memory.h"
+#include "tests/replay/imported_table.h"
 
 namespace tumble::replay {
 namespace {
-
-constexpr const char* kPose =
-    "position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z";
-constexpr const char* kMotion = ",velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z";
-
-Result<LogReader> import(const std::string& text, const ImportOptions& options = {}) {
-  const MemoryFile file = std::make_shared<std::vector<std::byte>>();
-  const auto sink = [&]() -> Result<std::unique_ptr<ByteSink>> {
-    return std::unique_ptr<ByteSink>(std::make_unique<MemoryByteSink>(file, "t.tumble"));
-  };
-  const Result<LogSummary> summary = import_csv(text, "t.csv", sink, options);
-  if (!summary.ok()) return summary.error();
-  return LogReader::open(std::make_unique<MemoryByteSource>(file, "t.tumble"));
-}
-
-LogReader must_import(const std::string& text, const ImportOptions& options = {}) {
-  Result<LogReader> log = import(text, options);
-  EXPECT_TRUE(log.ok()) << log.error().message;
-  return *std::move(log);
-}
-
-std::string error_of(const std::string& text, const ImportOptions& options = {}) {
-  const Result<LogReader> log = import(text, options);
-  return log.ok() ? "no error" : log.error().message;
-}
 
 /// A table of one body and two steps with a channel of text.
 std::string words(const std::string& settings, const std::string& name, const std::string& word) {
