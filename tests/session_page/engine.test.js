@@ -4,23 +4,17 @@ import { createRequire } from "node:module";
 import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { kPatienceMs } from "../report_page/eventually.js";
+import { open_page } from "./pages.js";
 import { Sessions } from "./sessions.js";
 
 const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
 const { chromium } = createRequire(`${MODULES}/`)("playwright-core");
-const kPatienceMs = 120000;
 const sessions = new Sessions(TUMBLE, WORK);
 const errors = [];
 let browser;
 
-async function open(address) {
-  const page = await (await browser.newContext({ viewport: { width: 1280, height: 900 } })).newPage();
-  page.setDefaultTimeout(kPatienceMs);
-  page.on("pageerror", (error) => errors.push(error.message));
-  await page.goto(address);
-  await page.locator("#session[data-ready]").waitFor();
-  return page;
-}
+const open = (address) => open_page(browser, address, errors);
 
 const panel_of = (page, title) => page.locator(".panel", { has: page.locator("h2", { hasText: title }) });
 const until = (page, selector, words) => page.locator(selector, { hasText: words }).first().waitFor();

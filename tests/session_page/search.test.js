@@ -5,6 +5,7 @@ import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { eventually, kPatienceMs } from "../report_page/eventually.js";
+import { open_page } from "./pages.js";
 import { Sessions } from "./sessions.js";
 
 const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
@@ -13,14 +14,7 @@ const sessions = new Sessions(TUMBLE, WORK);
 const errors = [];
 let browser;
 
-async function open(address) {
-  const page = await (await browser.newContext({ viewport: { width: 1280, height: 900 } })).newPage();
-  page.setDefaultTimeout(kPatienceMs);
-  page.on("pageerror", (error) => errors.push(error.message));
-  await page.goto(address);
-  await page.locator("#session[data-ready]").waitFor();
-  return page;
-}
+const open = (address) => open_page(browser, address, errors);
 
 /// Opens a log as a page to send and as a served one: what(page, kind).
 async function both(name, what) {
