@@ -205,10 +205,11 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
     const std::vector<Channel>& there = other.declared.channels;
     if (other.declared.find(channel.name) == there.size()) parts.push_back("channel " + channel.name);
   }
+  const std::vector<BodyInfo>& bodies = other.declared.bodies;
   for (const BodyInfo& body : one.declared.bodies) {
-    const auto same = [&](const BodyInfo& its) { return its.id == body.id && its.shape == body.shape; };
-    if (body.shape == Hash128() || std::ranges::any_of(other.declared.bodies, same)) continue;
-    parts.push_back("its shape of body " + std::to_string(body.id));
+    const auto its = std::ranges::lower_bound(bodies, body.id, {}, &BodyInfo::id);
+    const bool same = its != bodies.end() && its->id == body.id && its->shape == body.shape;
+    if (body.shape != Hash128() && !same) parts.push_back("its shape of body " + std::to_string(body.id));
   }
   if (!one.engine || !other.engine) return parts;  // phases of ours change with the version of their hashes
   for (const std::string& phase : one.phases) {
