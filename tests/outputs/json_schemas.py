@@ -54,12 +54,12 @@ def scene(case):
 
 
 def table(knee="0.5", at="1.5", engine="robot", step_12=""):
-    lines = [f"# engine: {engine}", "# dt: 0.01", "# up: y", f"step,id,{HEAD},channel.knee,channel.word,world.seed,_note"]
+    lines = [f"# engine: {engine}", "# dt: 0.01", "# up: y", f"step,id,{HEAD},channel.knee,channel.word,world.seed,world.gait,_note"]
     for step in range(20):
         for body in ("hip", "shin"):
             x = step_12 if step_12 and step == 12 and body == "shin" else "0"
             angle = knee if step == 12 else f"0.{step + 10}"
-            lines.append(f"{step},{body},{x},{at},{3 if body == 'hip' else 0},1,0,0,0,{angle},up,7,x")
+            lines.append(f"{step},{body},{x},{at},{3 if body == 'hip' else 0},1,0,0,0,{angle},up,7,walk,x")
     return "\n".join(lines) + "\n"
 
 
@@ -72,6 +72,7 @@ def prepare(run, folder):
     write("robot.csv", table())
     write("changed.csv", table(knee="0.75", step_12="0.001"))
     write("lost.csv", table(step_12="nan"))
+    write("knee.csv", table(knee="0.75"))
     write("own.csv", table(engine="copy"))
     run("record", "small.toml", "-o", "a.tumble")
     run("record", "small.toml", "-o", "b.tumble")
@@ -81,7 +82,7 @@ def prepare(run, folder):
     run("record", scene("layered_inputs"), "-o", "inputs.tumble", "--steps", "60")
     run("record", "long.toml", "-o", "long.tumble")
     run("record", "long.toml", "-o", "long2.tumble", "--set", "box.1.mass=1.5")
-    for name in ("robot", "changed", "lost", "own"):
+    for name in ("robot", "changed", "lost", "knee", "own"):
         run("import", f"{name}.csv", "-o", f"{name}.tumble")
     whole = (folder / "long.tumble").read_bytes()
     (folder / "torn.tumble").write_bytes(whole[: len(whole) * 3 // 4])
@@ -114,7 +115,8 @@ SAMPLES = {
     "recover": [["torn.tumble", "-o", "whole.tumble"], ["damaged.tumble", "-o", "whole2.tumble"]],
     "diff": [["a.tumble", "b.tumble"], ["a.tumble", "c.tumble"], ["a.tumble", "c.tumble", "--step", "20"],
              ["a.tumble", "b.tumble", "c.tumble"], ["robot.tumble", "changed.tumble"], ["robot.tumble", "lost.tumble"],
-             ["robot.tumble", "robot.tumble"], ["robot.tumble", "changed.tumble", "--step", "12"],
+             ["robot.tumble", "robot.tumble"], ["robot.tumble", "knee.tumble"],
+             ["robot.tumble", "robot.tumble", "knee.tumble"], ["robot.tumble", "changed.tumble", "--step", "12"],
              ["a.tumble", "robot.tumble"], ["long.tumble", "torn.tumble"], ["a.tumble", "c.tumble", "--brief"],
              ["a.tumble", "c.tumble", "--tolerance", "position=100", "--tolerance", "velocity=100"]],
     "blame": [["wall.tumble", "--body", "1", "--field", "position.x"], ["wall.tumble", "--body", "5", "--field", "velocity.z",
