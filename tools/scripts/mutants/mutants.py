@@ -13,7 +13,8 @@ builds target tumble in DIR/build/mutants and asks, until one notices: some shor
 `hunt`, but not for src/render, which no hunt runs. `hunt` notices where a scene breaks a relation or law that it does
 not break without the mutant; --scenes is as many as two minutes of an idle machine judge. For a mutant that `check`
 passes, 1,000 scenes of `hunt --against` the program without the mutant say whether it moves a bit; where it moves none,
-100 scenes are hunted, for what threads, lanes and logs do. --take K/N runs every N-th mutant. Ctrl-C ends it at any time.
+100 scenes are hunted, for what threads, lanes and logs do. --take K/N runs every N-th mutant, --missed those again that
+were missed. Ctrl-C ends it at any time.
 The list and the verdicts are tests/mutants/mutants.jsonl, by number.
 """
 import argparse
@@ -99,9 +100,8 @@ def read_list():
 
 def write_list(head, rows):
     LIST.parent.mkdir(parents=True, exist_ok=True)
-    new = LIST.with_suffix(".new")
-    new.write_text("".join(json.dumps(row) + "\n" for row in [head, *rows]))
-    new.replace(LIST)
+    LIST.with_suffix(".new").write_text("".join(json.dumps(row) + "\n" for row in [head, *rows]))
+    LIST.with_suffix(".new").replace(LIST)
 
 
 def commit():
@@ -151,8 +151,7 @@ class Judge:
 
     def findings(self, program, scenes, log):
         """Scenes and relations that break; None where the hunt did not end."""
-        words = [str(program), "hunt", "--count", str(scenes), "--unshrunk", "--json", "--threads",
-                 str(self.options.jobs)]
+        words = [str(program), "hunt", "--count", str(scenes), "--unshrunk", "--json", "--threads", str(self.options.jobs)]
         status = quiet(words, log, self.tree, 3600)
         try:
             found = json.loads(log.read_text())["findings"]
@@ -162,8 +161,9 @@ class Judge:
 
     def prepare(self):
         if not (self.build / "CMakeCache.txt").exists():
-            status = quiet(["cmake", "-S", str(self.tree), "-B", str(self.build), "-G", "Ninja",
-                            "-DCMAKE_BUILD_TYPE=Release", "-DTUMBLE_TESTS=OFF", "-DTUMBLE_UNITY=OFF"], self.work / "configure.log", self.tree, 600)
+            words = ["-DCMAKE_BUILD_TYPE=Release", "-DTUMBLE_TESTS=OFF", "-DTUMBLE_UNITY=OFF"]
+            status = quiet(["cmake", "-S", str(self.tree), "-B", str(self.build), "-G", "Ninja", *words],
+                           self.work / "configure.log", self.tree, 600)
             if status != 0:
                 sys.exit(f"mutants: {self.tree} cannot be configured: {self.work / 'configure.log'}")
         if not self.make():
@@ -202,9 +202,7 @@ class Judge:
         """verdict, by, bits."""
         if not self.make():
             return CANNOT_BUILD, None, None
-        if self.check(SHORT) != 0:
-            return "caught", "check", None
-        if self.check([]) != 0:
+        if self.check(SHORT) != 0 or self.check([]) != 0:
             return "caught", "check", None
         if row["file"].startswith(NO_HUNT):
             return "missed", None, False
@@ -222,10 +220,12 @@ class Judge:
         file = self.tree / row["file"]
         original = file.read_text()
         lines = original.split("\n")
-        at, column = row["line"] - 1, row["column"] - 1
-        line = lines[at] if at < len(lines) else ""
-        if line.strip() != row["text"] or not line[column:].startswith(row["was"]):
+        column = row["column"] - 1
+        # Lines above it may have come or gone since the list was drawn.
+        places = [k for k, line in enumerate(lines) if line.strip() == row["text"] and line[column:].startswith(row["was"])]
+        if not places:
             return "the line has changed", None, None
+        line = lines[at := min(places, key=lambda k: abs(k - (row["line"] - 1)))]
         lines[at] = line[:column] + row["is"] + line[column + len(row["was"]):]
         try:
             file.write_text("\n".join(lines))
@@ -243,7 +243,8 @@ def run(options):
     judge = Judge(options)
     judge.prepare()
     part, parts = (int(word) for word in options.take.split("/"))
-    mine = [row for row in read_list()[1] if not row["verdict"] and row["number"] % parts == part % parts]
+    wanted = "missed" if options.missed else None
+    mine = [row for row in read_list()[1] if row["verdict"] == wanted and row["number"] % parts == part % parts]
     for row in sorted(mine, key=lambda row: cost(row["file"])):
         begin = time.time()
         verdict, by, bits = judge.run(row)
@@ -263,12 +264,11 @@ def table(_):
     by_hunt = sum((row["by"] or "").startswith("hunt") for row in judged)
     passed = [row for row in judged if row["by"] != "check"]
     moved = [row for row in passed if row["moves_bits"]]
-    none = sum(row["verdict"] == CANNOT_BUILD for row in rows)
-    print(f"{len(rows)} mutants drawn, {none} do not compile, {len(judged)} judged")
-    if not judged:
-        return
-    print(f"caught by check {by_check}, by hunt alone {by_hunt}, missed {len(judged) - by_check - by_hunt}:"
-          f" {100 * (by_check + by_hunt) / len(judged):.1f} % caught, {100 * by_check / len(judged):.1f} % by check alone")
+    print(f"{len(rows)} mutants drawn, {sum(row['verdict'] == CANNOT_BUILD for row in rows)} do not compile,"
+          f" {len(judged)} judged")
+    if judged:
+        print(f"caught by check {by_check}, by hunt alone {by_hunt}, missed {len(judged) - by_check - by_hunt}:"
+              f" {100 * (by_check + by_hunt) / len(judged):.1f} % caught, {100 * by_check / len(judged):.1f} % by check")
     print(f"of {len(moved)} that check passes although they move a bit, relations and laws caught"
           f" {sum(row['verdict'] == 'caught' for row in moved)}")
     for row in judged:
@@ -289,9 +289,9 @@ def main():
     one.add_argument("--take", default="0/1", metavar="K/N")
     one.add_argument("--scenes", type=int, default=5000)
     one.add_argument("--jobs", type=int, default=2)
+    one.add_argument("--missed", action="store_true", help="ask those again that were missed")
     one.set_defaults(act=run)
-    one = commands.add_parser("table")
-    one.set_defaults(act=table)
+    commands.add_parser("table").set_defaults(act=table)
     options = parser.parse_args()
     options.act(options)
 
