@@ -86,6 +86,10 @@ Json to_json(const HuntState& state) {
   for (const auto& [name, tally] : state.relations) json["relations"][name] = to_json(tally);
   json["findings"] = Json::array();
   for (const Finding& one : state.findings) json["findings"].push_back(to_json(one));
+  if (state.beyond.scenes > 0) {
+    json["beyond"] = {{"scenes", state.beyond.scenes}, {"findings", Json::array()}};
+    for (const Finding& one : state.beyond.findings) json["beyond"]["findings"].push_back(to_json(one));
+  }
   return json;
 }
 

@@ -29,6 +29,13 @@ struct Share {
   [[nodiscard]] std::uint64_t of(std::uint64_t count) const { return (count + shards - shard) / shards; }
 };
 
+/// Scenes that were judged behind one that was not, as a hunt leaves them whose time ended. They do not count, and a
+/// hunt that goes on judges them again.
+struct Beyond {
+  std::uint64_t scenes = 0;
+  std::vector<Finding> findings;  ///< unshrunk
+};
+
 /// A hunt so far: the first `next` scenes of the share are judged, all by the same relations.
 struct HuntState {
   std::uint64_t seed = 0;
@@ -45,6 +52,7 @@ struct HuntState {
   std::uint64_t no_scenes = 0;                           ///< drawn scenes that no world can be made of
   std::vector<std::pair<std::string, Tally>> relations;  ///< in the order in which they are judged
   std::vector<Finding> findings;                         ///< by number, then by relation's order
+  Beyond beyond;                                         ///< of this run; no kept hunt has it
 };
 
 Json to_json(const HuntState& state);

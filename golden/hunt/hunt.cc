@@ -90,10 +90,12 @@ class Hunt {
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kBatchPatience, true));
     std::vector<Finding> fresh;
+    std::uint64_t counted = 0;
     for (std::uint64_t k = 0; k < batches && done.contains(k); ++k) {
       Result<Batch> batch = done[k].failure.empty() ? batch_from(done[k].output) : one_by_one(state_.next, size(k));
       if (!batch.ok()) return batch.error();
       if (batch->tallies.size() != state_.relations.size()) break;  // cancelled meanwhile
+      counted = k + 1;
       for (std::size_t i = 0; i < batch->tallies.size(); ++i) state_.relations[i].second.add(batch->tallies[i]);
       state_.no_scenes += batch->no_scenes;
       state_.next += batch->scenes;
@@ -101,9 +103,21 @@ class Hunt {
       if (Status ok = grow(*batch); !ok.ok()) return ok;
       if (batch->scenes < size(k)) break;
     }
+    tell_beyond(done, counted);
     if (Status ok = keep(std::move(fresh)); !ok.ok()) return ok;
     if (options_.progress) options_.progress(state_);
     return {};
+  }
+
+  // What the batches from one on judged, behind a scene that was not judged.
+  void tell_beyond(const std::map<std::uint64_t, process::JobResult>& done, std::uint64_t first) {
+    state_.beyond = {};
+    for (auto at = done.lower_bound(first); at != done.end(); ++at) {
+      Result<Batch> batch = batch_from(at->second.output);
+      if (!at->second.failure.empty() || !batch.ok()) continue;
+      state_.beyond.scenes += batch->scenes;
+      for (Finding& one : batch->findings) state_.beyond.findings.push_back(std::move(one));
+    }
   }
 
   // Adds the scenes of a batch that do something new to the corpus.
@@ -252,10 +266,11 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
 }
 
 bool claims_hold(const HuntState& state) {
-  if (state.engine.empty()) return state.findings.empty();
-  return std::ranges::none_of(state.findings, [&state](const Finding& one) {
-    return one.relation == kSurvives || std::ranges::find(state.claimed, one.relation) != state.claimed.end();
-  });
+  const auto fails = [&state](const Finding& one) {
+    return state.engine.empty() || one.relation == kSurvives ||
+           std::ranges::find(state.claimed, one.relation) != state.claimed.end();
+  };
+  return std::ranges::none_of(state.findings, fails) && std::ranges::none_of(state.beyond.findings, fails);
 }
 
 }  // namespace tumble::hunt

@@ -33,6 +33,29 @@ run = '''")" TUMBLE_PROGRAM R"(" record {scene} -o {log} --quiet --set "world.gr
   }
 }
 
+// Scene 0 takes longer than the hunt has: what another process judged behind it is said, and fails.
+TEST(HuntEngine, WhatLiesBehindASceneThatWasNotJudgedIsSaid) {
+  const Workshop shop;
+  shop.write("tumble.toml", R"([engine]
+shell = true
+run = """grep -q 'hunt_1_0"' {scene} && sleep 6; grep -q 'hunt_1_1[0-9]"' {scene} && exit 1; exit 2 # {log}"""
+[engine.claims]
+finishes = true
+)");
+  const std::vector<std::string> hunt = {"hunt", "--engine",   "--time",   "2",          "--threads",
+                                         "2",    "--relation", "finishes", "--unshrunk", "--json"};
+  const Outcome run = shop.run(hunt);
+  EXPECT_EQ(run.exit, 1) << run.err;
+  const Json json = Json::parse(run.out, nullptr, false);
+  ASSERT_TRUE(json.is_object() && json.contains("beyond")) << run.out;
+  EXPECT_LT(json.at("scenes"), 10U);
+  EXPECT_EQ(json.at("relations").at("finishes").at("broken"), 0U);
+  EXPECT_TRUE(json.at("findings").empty());
+  EXPECT_GE(json.at("beyond").at("scenes"), 1U);
+  ASSERT_FALSE(json.at("beyond").at("findings").empty());
+  EXPECT_EQ(json.at("beyond").at("findings").at(0).at("number"), 10U);
+}
+
 // Nothing is known of an engine that does not run: it refuses no scene and breaks no claim.
 TEST(HuntEngine, ThatDoesNotStartIsNeitherRefusalNorHeld) {
   const Workshop shop;

@@ -31,7 +31,7 @@ constexpr double kStartPatience = 60;  // s
 constexpr std::uint64_t kNumberMax = 1'000'000'000'000;
 
 struct HuntCommand {
-  std::optional<std::uint64_t> seed, count, threads, print;
+  std::optional<std::uint64_t> seed, count, threads, print, shrink;
   std::optional<double> time;
   std::vector<std::string> relations;
   std::string against, shard;
@@ -82,7 +82,7 @@ Result<hunt::HuntOptions> hunt_options(const HuntCommand& options) {
   }
   out.question.against = options.against;
   out.folder = options.folder;
-  if (options.unshrunk) out.shrunk_most = 0;
+  out.shrunk_most = options.unshrunk ? 0 : options.shrink.value_or(out.shrunk_most);
   out.corpus = options.corpus;
   out.pool.jobs = options.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.cancel = process::InterruptGuard::interrupted;
@@ -203,10 +203,13 @@ Action declare_hunt(Arguments& arguments) {
   arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
   const Argument unshrunk =
       arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
+  const Argument shrink = arguments.whole("--shrink", "N", options->shrink, 1, kNumberMax,
+                                          "Shrink so many findings of each relation and phase; 3 if not given");
+  shrink.excludes(unshrunk);
   // What would be left aside without a word.
-  for (const Argument& other : {seed, count, time, shard, folder, corpus, merge, print, unshrunk})
+  for (const Argument& other : {seed, count, time, shard, folder, corpus, merge, print, unshrunk, shrink})
     judge.excludes(other);
-  for (const Argument& other : {seed, count, time, shard, relation, against, engine, print, unshrunk})
+  for (const Argument& other : {seed, count, time, shard, relation, against, engine, print, unshrunk, shrink})
     merge.excludes(other);
   arguments.json(options->json);
   arguments.footer(

@@ -77,6 +77,23 @@ void print_finding(const hunt::Finding& finding) {
             << "): " << printable(describe(finding.judgement)) << '\n';
 }
 
+namespace {
+
+void print_beyond(const hunt::Beyond& beyond) {
+  if (beyond.scenes == 0) return;
+  std::cout
+      << '\n'
+      << count_text(beyond.scenes, "scene")
+      << " behind these were judged too and do not count: the time ended before a scene between. A hunt that goes "
+         "on judges them again.\n";
+  for (const hunt::Finding& one : beyond.findings) {
+    std::cout << "  ";
+    print_finding(one);
+  }
+}
+
+}  // namespace
+
 void print_hunt(const hunt::HuntState& state, const std::string& folder, std::optional<std::uint64_t> count) {
   std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
   if (state.share.shards > 1) std::cout << ", shard " << state.share.shard << " of " << state.share.shards;
@@ -88,7 +105,8 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder, std::op
   std::cout << "\n\n";
   print_tallies(state.relations, state.engine.empty() ? nullptr : &state.claimed);
   for (const hunt::FindingGroup& group : hunt::grouped(state.findings)) print_group(group, folder);
-  if (!state.findings.empty()) return;
+  print_beyond(state.beyond);
+  if (!state.findings.empty() || !state.beyond.findings.empty()) return;
   std::cout << '\n'
             << (any_held(state.relations) ? "no scene broke a relation that it was judged by\n"
                 : state.next > 0          ? kNothingAsked

@@ -16,7 +16,9 @@ namespace tumble::hunt {
 /// all of them.
 class Draws {
  public:
-  Draws(std::uint64_t seed, std::uint64_t number) : seed_(seed), number_(number) {}
+  /// first: the draw to begin with; far from 0 for numbers that shall move none of the others.
+  Draws(std::uint64_t seed, std::uint64_t number, std::uint64_t first = 0)
+      : seed_(seed), number_(number), draw_(first) {}
 
   std::uint64_t bits() { return random_bits(seed_, number_, draw_++); }
 
@@ -61,7 +63,7 @@ class Draws {
   }
 
  private:
-  std::uint64_t seed_, number_, draw_ = 0;
+  std::uint64_t seed_, number_, draw_;
 };
 
 }  // namespace tumble::hunt

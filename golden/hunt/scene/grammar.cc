@@ -27,6 +27,8 @@ constexpr std::array kKinds = {
     Kind{"overlaps", arrange_overlaps, 6}, Kind{"drop", arrange_drop, 4},
 };
 
+constexpr std::uint64_t kGravityDraw = std::uint64_t{1} << 32U;
+
 const Kind& any_kind(Draws& draws) {
   unsigned sum = 0;
   for (const Kind& kind : kKinds) sum += kind.share;
@@ -50,6 +52,13 @@ void choose_world(sim::WorldDef& world, Draws& draws) {
   world.ground_material.friction_dynamic =
       draws.chance(0.5) ? world.ground_material.friction : draws.uniform(0, world.ground_material.friction);
   world.ground_material.restitution = draws.chance(0.4) ? 0 : draws.chance(0.1) ? 1 : draws.uniform(0, 0.9);
+}
+
+// In some scenes gravity is weaker, down to 4 mm/s², or there is none. Drawn far from the other numbers, so that the
+// rest of the scene is that of grammar 1.
+void choose_gravity(sim::WorldDef& world, Draws draws) {
+  if (!draws.chance(0.08)) return;
+  world.gravity *= draws.chance(0.2) ? 0 : draws.magnitude(-11, 0);
 }
 
 sim::Command any_input(const sim::SceneDef& scene, Draws& draws, sim::BodyId body, double mass) {
@@ -123,6 +132,7 @@ sim::SceneDef random_scene(std::uint64_t seed, std::uint64_t number) {
   kind.arrange(scene, draws);
   const double seconds = draws.uniform(0.3, 2);
   scene.steps = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(seconds / scene.world.dt), 30, kStepsMost);
+  choose_gravity(scene.world, Draws(seed, number, kGravityDraw));
   vary_bodies(scene, draws);
   name_bodies(scene, draws);
   if (draws.chance(0.4)) add_inputs(scene, draws);

@@ -11,7 +11,7 @@ namespace tumble::hunt {
 sim::SceneDef random_scene(std::uint64_t seed, std::uint64_t number);
 
 /// The version of the grammar, named in every finding.
-inline constexpr std::uint32_t kGrammar = 1;
+inline constexpr std::uint32_t kGrammar = 2;
 
 /// Limits of a scene. Small scenes are judged by the thousand, and hold what large ones do.
 inline constexpr std::size_t kBodiesMost = 14;
