@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "golden/canaries/known_answers.h"
 #include "golden/canaries/log_canaries.h"
 #include "golden/canaries/lying_log.h"
 #include "golden/canaries/suite_canaries.h"
@@ -234,6 +235,9 @@ std::vector<CanaryResult> run_canaries(Judge judge_function) {
   results.push_back(dying_child());
   for (CanaryResult& result : run_log_canaries()) results.push_back(std::move(result));
   for (CanaryResult& result : run_suite_canaries()) results.push_back(std::move(result));
+  for (auto* const known : {run_known_answers, run_known_refusals, run_known_sessions}) {
+    for (CanaryResult& result : known()) results.push_back(std::move(result));
+  }
   return results;
 }
 

@@ -11,9 +11,9 @@
 /// The results of one check: its cases and its canaries.
 namespace tumble::golden {
 
-/// A comparison that must fail, and whether it did.
+/// A comparison of known outcome, most of them of a fault that must be found, and whether it came.
 struct CanaryResult {
-  std::string name;  ///< the fault made on purpose: "the last state differs"
+  std::string name;  ///< the fault made on purpose, or the answer: "the last state differs"
   bool caught = false;
   std::string message;  ///< of the judge
   std::string about =

@@ -67,7 +67,7 @@ std::vector<Annotation> annotations(const SuiteResult& result) {
   std::vector<Annotation> out;
   for (const CanaryResult& canary : result.canaries) {
     if (canary.caught) continue;
-    out.push_back({"comparisons that must fail", one_line("not caught: " + canary.name + ": " + canary.message), {}});
+    out.push_back({"comparisons of known outcome", one_line("not caught: " + canary.name + ": " + canary.message), {}});
   }
   for (const std::string& problem : result.problems) out.push_back({"the suite itself", one_line(problem), {}});
   for (const CaseResult& one : result.cases) {

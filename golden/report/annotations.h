@@ -10,7 +10,7 @@
 namespace tumble::golden {
 
 struct Annotation {
-  std::string title;    ///< "brick_wall", "comparisons that must fail"
+  std::string title;    ///< "brick_wall", "comparisons of known outcome"
   std::string message;  ///< one line: the magnitude, then the first difference
   std::string file;     ///< relative to the current folder where it lies below, as a repository's files in CI do
 };

@@ -75,7 +75,7 @@ TestCase test_case(const CaseResult& result) {
 
 TestCase canary_case(const SuiteResult& result) {
   TestCase one{.group = "tumble.canaries",
-               .name = "comparisons that must fail",
+               .name = "comparisons of known outcome",
                .seconds = 0,
                .failure = {},
                .text = {},

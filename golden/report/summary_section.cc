@@ -113,7 +113,7 @@ Html overview(const SuiteResult& result) {
 Html canary_list(const SuiteResult& result) {
   Html out("<details");
   if (!result.canaries_caught()) out << " class=\"fail\" open";
-  out << "><summary><h3>Canaries</h3><span>comparisons that must fail, made in every run</span></summary>\n"
+  out << "><summary><h3>Canaries</h3><span>comparisons of known outcome, made in every run</span></summary>\n"
          "<div class=\"inside\"><div class=\"scroll\"><table><thead><tr><th>Caught</th><th>Fault made on "
          "purpose</th><th>Finding of the judge</th></tr></thead><tbody>\n";
   for (const CanaryResult& canary : result.canaries) {

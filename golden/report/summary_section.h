@@ -18,7 +18,7 @@ Html tiles(const SuiteResult& result);
 /// and filters it. Empty if there is none.
 Html overview(const SuiteResult& result);
 
-/// The comparisons that must fail, and whether they did.
+/// The comparisons of known outcome, and whether it came.
 Html canary_list(const SuiteResult& result);
 
 }  // namespace tumble::golden

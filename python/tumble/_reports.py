@@ -196,7 +196,7 @@ def check(*cases, suite=None, report=None, require=(), category=None, jobs=None,
 
     suite: a folder with cases/ in it. report: a folder for index.html, junit.xml, report.json and the logs of failed
     cases; a folder that is removed afterwards if not given. require: verdicts that decide: "exact", "behaviour",
-    "image". Returns a `CheckReport`. Raises CannotFinish where a comparison that must fail passed.
+    "image". Returns a `CheckReport`. Raises CannotFinish where a canary was not caught.
     """
     import tempfile
 

@@ -99,8 +99,9 @@ Result<Exit> tell(const CheckCommand& options, const golden::SuiteResult& result
     print_sum(result, result.suite, options.report);
   }
   if (!result.canaries_caught()) {
-    std::cerr << "tumble check: a comparison that must fail passed: this build of the suite sees nothing, and none of "
-                 "its verdicts counts\n";
+    std::cerr
+        << "tumble check: a comparison of known outcome came out otherwise: this build cannot be trusted, and none of "
+           "its verdicts counts\n";
   }
   return verdict_of(result);
 }
@@ -177,7 +178,8 @@ Action declare_check(Arguments& arguments) {
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 all passed, 1 a case failed, 2 bad usage or no such case or suite, 4 could not finish, or a\n"
-      "canary (a comparison that must fail, made in every run) passed. With --merge also 2 for a shard that is\n"
+      "canary (a comparison of known outcome, made in every run) was not caught. With --merge also 2 for a shard that "
+      "is\n"
       "missing, there twice or of another check, 3 for one that is damaged; the message names each.\n\n"
       "Examples:\n"
       "  tumble check\n"

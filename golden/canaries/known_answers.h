@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "tumble/golden/suite_result.h"
+
+namespace tumble::golden {
+
+/// Questions whose answers are known, beside cases that no scene of a suite asks: which characters are shown, which
+/// files no output may replace, which body lies under a pixel, what a scene with a slip is told, and whether every path
+/// of the arithmetic gives the same bits on this machine. A canary that is not caught gave another answer.
+std::vector<CanaryResult> run_known_answers();
+
+/// Scenes with a slip each, and the whole message that refuses them.
+std::vector<CanaryResult> run_known_refusals();
+
+/// Small sessions computed in two ways that must agree to the bit: with lanes of every width of this machine, by
+/// threads, step by step from snapshots, and through a log.
+std::vector<CanaryResult> run_known_sessions();
+
+}  // namespace tumble::golden
