@@ -23,6 +23,7 @@ endif()
 # tumble_install_data(COMPONENT ...): data, documents, manual pages and completions.
 function(tumble_install_data)
   install(DIRECTORY golden/cases DESTINATION ${install_data}/golden ${ARGN})
+  install(FILES golden/tumble.toml DESTINATION ${install_data}/golden ${ARGN})
   install(DIRECTORY bench/scenes DESTINATION ${install_data}/bench ${ARGN})
   install(DIRECTORY schema/json schema/export DESTINATION ${install_data}/schema ${ARGN} FILES_MATCHING PATTERN *.schema.json
           PATTERN *.proto)

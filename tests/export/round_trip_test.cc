@@ -13,7 +13,7 @@ namespace {
 TEST(RoundTrip, EveryGoldenCase) {
   std::set<std::string> cases;
   for (const auto& folder : std::filesystem::directory_iterator(TUMBLE_SOURCE_DIR "/golden/cases")) {
-    cases.insert(folder.path().filename().string());
+    if (exists(folder.path() / "scene.toml")) cases.insert(folder.path().filename().string());
   }
   ASSERT_GT(cases.size(), 50U);
   std::size_t number = 0;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> case_files() {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(TUMBLE_SOURCE_DIR "/golden/cases")) {
-    files.push_back(entry.path() / "scene.toml");
+    if (exists(entry.path() / "scene.toml")) files.push_back(entry.path() / "scene.toml");
   }
   return files;
 }
