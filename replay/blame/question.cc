@@ -36,7 +36,7 @@ std::string why_missing(StepsAgain& steps, sim::BodyId body, std::uint64_t k) {
 
 Status check_step(LogReader& log, std::uint64_t k) {
   if (log.header().engine) {
-    return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
+    return bad_input(log.name() + ": this log was written by " + printable(to_string(*log.header().engine)) +
                      ", whose steps this build cannot take again; 'tumble diff' and 'tumble dump' read such logs");
   }
   if (k < log.first_state() || k > log.last_step()) {

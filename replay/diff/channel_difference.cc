@@ -168,9 +168,9 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
       std::string types = named + type_a;
       types.append(" in the first log, ").append(type_b).append(" in the second");
       match.passed_over.push_back(std::move(types));
-      if (!two_engines && !match.other_kind) {
-        match.other_kind = make_divergence(0, "start", "channel." + channel.name, type_a, type_b);
-        match.other_kind->note = "values of other kinds are not compared";
+      if (!two_engines) {
+        match.other_kinds.push_back(make_divergence(0, "start", kChannelField + channel.name, type_a, type_b));
+        match.other_kinds.back().note = "values of other kinds are not compared";
       }
     } else if (two_engines && !compares_across_engines(channel.name, tolerances)) {
       match.passed_over.push_back(named + "the logs are of two engines; a tolerance compares it");
@@ -253,6 +253,7 @@ double channel_distance(const SharedChannel& channel, const StepRecord& a, const
 
 std::vector<ExtraRow> extras_side_by_side(const ChannelMatch& match, const StepRecord& a, const StepRecord& b) {
   std::vector<ExtraRow> rows;
+  for (const Divergence& other : match.other_kinds) rows.push_back({other.field, 0, 0, other});
   for_each_compared(match, a, b, [&](const ComparedChannel& both) {
     rows.push_back({kChannelField + both.channel.name, both.a.size(), both.b.size(), difference_in(both, {})});
   });

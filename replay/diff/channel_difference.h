@@ -27,8 +27,8 @@ struct ChannelMatch {
   std::vector<SharedChannel> compared;
   std::vector<std::string> passed_over;  ///< for people: name and reason of each channel that is not compared
   bool contacts = true;                  ///< contacts are compared too
-  /// A channel of one engine that holds values of other kinds in the two logs, as text and numbers: a difference.
-  std::optional<Divergence> other_kind;
+  /// Channels of one engine that hold values of other kinds in the two logs, as text and numbers: differences.
+  std::vector<Divergence> other_kinds;
   bool equal = true;  ///< both logs declare the same channels and all is compared, so chains can be compared
 };
 

@@ -27,16 +27,12 @@ class Diff {
     imported_ = a.header().engine || b.header().engine;
     channels_ = match_channels(a.header(), b.header(), tolerances, states_only_);
     derived_ = derived_values(a.header(), b.header());
-    if (!states_only_) report_.only_in = only_in_one(a.header(), b.header());
+    values_in_one_ = one_holds_hashes_only(a.header(), b.header());
+    if (!states_only_ || values_in_one_) report_.only_in = only_in_one(a.header(), b.header());
   }
 
   Result<DiffReport> run(const Progress& progress) {
-    for (const LogReader* log : {&a_, &b_}) {
-      if (std::string note = not_whole(*log);
-          !note.empty() && std::ranges::find(report_.notes, note) == report_.notes.end()) {
-        report_.notes.push_back(std::move(note));
-      }
-    }
+    report_.notes = notes_on_wholeness(a_, b_);
     if (Status ok = check_both(progress); !ok.ok()) return ok.error();
     report_.last_a = std::min(a_.last_step(), until_);
     report_.last_b = std::min(b_.last_step(), until_);
@@ -173,12 +169,13 @@ class Diff {
 
   /// Compares the first states of both, without the inputs and phases that led there.
   Status compare_start(std::uint64_t from) {
+    if (values_in_one_) return {};
     StepRecord start_a, start_b;
     if (Status ok = read_start(a_, from, start_a); !ok.ok()) return ok;
     if (Status ok = read_start(b_, from, start_b); !ok.ok()) return ok;
     if (Status ok = can_tolerate(start_a, start_b); !ok.ok()) return ok;
     judge(start_a, start_b);
-    if (!report_.first) report_.first = channels_.other_kind;
+    if (!report_.first && !channels_.other_kinds.empty()) report_.first = channels_.other_kinds.front();
     if (!report_.first) return {};
     report_.first->step = from;
     report_.first->phase = "start";
@@ -202,6 +199,7 @@ class Diff {
     if (!a.ok()) return a.error();
     Result<const StepRecord*> b = b_.read_hashes(k);
     if (!b.ok()) return b.error();
+    if (values_in_one_ && (*a)->dt == (*b)->dt) return {};
     const bool by_states = states_only_ && channels_.compared.empty();
     if (by_states && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
     StepRecord actual = **b;
@@ -237,6 +235,11 @@ class Diff {
 
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
+    if (values_in_one_) {  // then no more than the length of the step is in both
+      const double dt = actual.dt;
+      actual = expected;
+      actual.dt = dt;
+    }
     leave_out_words(expected, actual);
     if (imported_) report_.zeros += forgive_zeros(expected, actual);
     forgive_derived(derived_, expected, actual);
@@ -269,8 +272,9 @@ class Diff {
   std::uint64_t until_;  // the last step to compare
   std::vector<std::string> phases_;
   bool same_words_ = false;
-  bool states_only_ = false;  // of two engines, whose phases and counters cannot be compared
-  bool imported_ = false;     // a log, or both, by another engine
+  bool states_only_ = false;    // of two engines, whose phases and counters cannot be compared
+  bool imported_ = false;       // a log, or both, by another engine
+  bool values_in_one_ = false;  // the other holds hashes only
   std::vector<KeyframeHash> keyframes_a_, keyframes_b_;
   bool one_scene_ = false;                      // no value that a step depends on differs between the headers
   std::uint64_t worlds_ = 0;                    // complete states compared

@@ -40,6 +40,12 @@ class Scope {
       leave_out(never_compared());
       return std::move(scope_);
     }
+    if (one_holds_hashes_only(a_.header(), b_.header())) {
+      add_hashes_and_values();
+      add_ends();
+      leave_out(never_compared());
+      return std::move(scope_);
+    }
     add_steps();
     add_states();
     if (!facts_.channels.empty()) compare(channels_text(facts_.channels));
@@ -67,6 +73,15 @@ class Scope {
     compare("hashes of inputs, states, contacts, phase hashes and channels of " +
             count_text(facts_.last - facts_.from, "step"));
     leave_out("the values themselves: the recorders kept hashes only");
+  }
+
+  /// The hashes are of the stream, in the order in which the engine told; a log of values has another order.
+  void add_hashes_and_values() {
+    compare("step lengths");
+    const bool in_a = holds_hashes_only(a_.header());
+    leave_out("inputs, states, contacts, phase hashes and channels: " + (in_a ? a_ : b_).name() +
+              " holds hashes of them, " + (in_a ? b_ : a_).name() +
+              " the values; record both alike, or open the recorder with `verify`, which compares values with hashes");
   }
 
   void add_steps() {
@@ -247,6 +262,15 @@ std::string not_whole(const LogReader& log) {
   if (!condition.whole()) return log.name() + " is not whole: " + condition.summary(log.last_step());
   const std::string& cut_short = log.header().declared.cut_short;
   return cut_short.empty() ? "" : log.name() + ": its session may have gone on: " + cut_short;
+}
+
+std::vector<std::string> notes_on_wholeness(const LogReader& a, const LogReader& b) {
+  std::vector<std::string> notes;
+  for (const LogReader* log : {&a, &b}) {
+    std::string note = not_whole(*log);
+    if (!note.empty() && std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+  }
+  return notes;
 }
 
 std::string not_intact(const LogReader& log) {

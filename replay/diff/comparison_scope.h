@@ -68,6 +68,9 @@ ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerance
 /// log of a session that came to its end.
 std::string not_whole(const LogReader& log);
 
+/// not_whole() of two logs, each text once.
+std::vector<std::string> notes_on_wholeness(const LogReader& a, const LogReader& b);
+
 /// The bytes of a log that no intact record holds, which nothing compares; empty for a sound log.
 std::string not_intact(const LogReader& log);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "replay/diff/parameters.h"
+#include "replay/log/hashes_only.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -201,6 +202,10 @@ std::uint64_t bits_of_engine(const LogHeader& header) {
 /// What `one` declares and `other` does not.
 std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
   std::vector<std::string> parts;
+  if (one_holds_hashes_only(one, other)) {
+    parts.emplace_back(holds_hashes_only(one) ? "hashes of each step" : "values of each step");
+    return parts;
+  }
   for (const Channel& channel : one.declared.channels) {
     const std::vector<Channel>& there = other.declared.channels;
     if (other.declared.find(channel.name) == there.size()) parts.push_back("channel " + channel.name);
@@ -266,7 +271,7 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
     found.add("phase hashes", std::uint64_t{a.phase_hash_version}, std::uint64_t{b.phase_hash_version}, false);
   }
   const bool one_start = (a.goes_on ? a.goes_on->step : 0) == (b.goes_on ? b.goes_on->step : 0);
-  if (one_start)
+  if (one_start && !one_holds_hashes_only(a, b))
     add_scene(a.scene, b.scene, a.engine || b.engine, found);  // else the two scenes are those of different steps
   return found.take();
 }

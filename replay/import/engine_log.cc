@@ -7,6 +7,7 @@
 #include "replay/format/chain.h"
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
+#include "replay/log/told_bodies.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "src/world/body_check.h"
@@ -110,6 +111,8 @@ Result<std::unique_ptr<EngineLog>> EngineLog::create(const MakeSink& make_sink, 
   if (Status ok = check_engine(def); !ok.ok()) return ok.error();
   Result<sim::World> world = world_of(start);
   if (!world.ok()) return world.error();
+  const Status told = check_bodies(def.declared.start, def.declared.channels, world->bodies(), {});
+  if (!told.ok()) return told.error();
   LogHeader header = header_of(def, start);
   if (def.first_state > 0) begin_at(def.first_state, header, world->mutable_state());
   Result<std::unique_ptr<ByteSink>> sink = make_sink();
@@ -142,7 +145,7 @@ Status EngineLog::input(const sim::Command& command) {
   const auto* thrown = std::get_if<sim::Throw>(&command);
   Status applied;
   if (thrown != nullptr) {
-    const Status turned = check_rotation(thrown->box.id, thrown->box.orientation);
+    Status turned = check_rotation(thrown->box.id, thrown->box.orientation);
     if (!turned.ok()) return at_step(turned.error().message);
     sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
     awake.box.frozen = false;
@@ -162,6 +165,7 @@ Status EngineLog::set_state(sim::BodyId id, const EngineState& state) {
   if (Status ok = check_rotation(id, state.orientation); !ok.ok()) return at_step(ok.error().message);
   if (told_.empty()) told_.assign(world_.bodies().size(), 0);
   SIM_CHECK(told_.size() == world_.bodies().size(), told_.size(), world_.bodies().size());
+  if (told_[*row] != 0) return at_step("found a second state of body " + std::to_string(id) + ", wanted one in a step");
   told_[*row] = 1;
   put(world_.mutable_state().bodies, *row, state);
   return {};
@@ -260,26 +264,22 @@ Status EngineLog::end_step(double dt_s) {
   }
   if (Status ok = check_all_told(); !ok.ok()) return ok;
   if (phase_count_ > 0 && phase_words_.empty()) return at_step("found no phase hashes, wanted one of each phase");
+  close_extras();
+  const Status told = check_bodies(extras_, values_->channels(), world_.bodies(), inputs_);
+  if (!told.ok()) return at_step(told.error().message);
   sim::WorldState& state = world_.mutable_state();
   state.def.dt = dt_s;
   ++state.step;
   const sim::Energy energy = sim::total_energy(state);
   StepInfo info;
   info.dt = dt_s;
-  info.inputs = inputs_;
-  info.phase_words = phase_words_;
-  close_extras();
-  info.extras = &extras_;
+  info.inputs = inputs_, info.phase_words = phase_words_, info.extras = &extras_;
   info.counters.substeps = 1;
-  info.counters.kinetic = energy.kinetic;
-  info.counters.potential = energy.potential;
+  info.counters.kinetic = energy.kinetic, info.counters.potential = energy.potential;
   info.counters.inputs = world_.input_energy();
   world_.forget_input_energy();
   Status written = writer_->append(info, state);
-  extras_.clear();
-  inputs_.clear();
-  phase_words_.clear();
-  told_.clear();
+  drop_step();
   return written;
 }
 

@@ -79,7 +79,8 @@ class EngineLog {
   /// (kBadInput): an unknown or taken id, a value beyond the limits, an input after a state.
   Status input(const sim::Command& command);
 
-  /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id; no rotation.
+  /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id; no
+  /// rotation; a second state of the body in one step.
   Status set_state(sim::BodyId id, const EngineState& state);
 
   /// Sets a value of a channel after the coming step: of a body `a`, of a pair, or of the step as a whole. channel: an
@@ -107,7 +108,9 @@ class EngineLog {
   Status set_phase_hashes(std::span<const std::uint64_t> words);
 
   /// Ends the step and writes it. Errors. kBadInput: a moving body without a state, a dt beyond the limits, phase
-  /// hashes missing. kCannotFinish: writing fails.
+  /// hashes missing, a value or a contact of a body that neither exists nor was removed before this step (of a value's
+  /// pair, the first).
+  /// kCannotFinish: writing fails.
   Status end_step(double dt_s);
 
   /// Drops what was told of the open step, where an error ends the session. Only finish() may follow: the world keeps

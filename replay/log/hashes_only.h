@@ -17,4 +17,9 @@ inline bool holds_hashes_only(const LogHeader& header) {
   return header.engine && std::ranges::equal(header.phases, kHashedClasses);
 }
 
+/// Whether one of two logs holds the values that the other holds hashes of: both have the lengths of the steps alone.
+inline bool one_holds_hashes_only(const LogHeader& a, const LogHeader& b) {
+  return holds_hashes_only(a) != holds_hashes_only(b);
+}
+
 }  // namespace tumble::replay

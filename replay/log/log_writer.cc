@@ -40,6 +40,7 @@ struct LogWriter::Buffer {
   std::size_t used = 0;
   std::uint64_t busy_rows = 0;  // body-steps that moved
   std::uint64_t bytes = 0;
+  std::size_t channels = 0;  // of the step with the most
   Clock::time_point begun;
 
   /// Allocates the memory of `count` steps and touches it.
@@ -54,6 +55,7 @@ struct LogWriter::Buffer {
     keyframe.state = state;
     used = 0;
     busy_rows = bytes = 0;
+    channels = 0;
     begun = Clock::now();
   }
 
@@ -72,6 +74,7 @@ struct LogWriter::Buffer {
     if (info.extras != nullptr) {
       step.extras = *info.extras;
       bytes += bytes_of(step.extras);
+      channels = std::max(channels, step.extras.channels.size());
     } else if (!step.extras.empty()) {
       step.extras.clear();
     }
@@ -82,7 +85,8 @@ struct LogWriter::Buffer {
 
   [[nodiscard]] bool full(std::size_t bodies) const {
     return used >= kChunkStepsMax || busy_rows >= kChunkBusySteps * std::max<std::size_t>(bodies, 1) ||
-           bytes >= kChunkStateBytes || Clock::now() - begun >= kChunkAgeMax;
+           (used + 1) * channels > kChannelStepsMax || bytes >= kChunkStateBytes ||
+           Clock::now() - begun >= kChunkAgeMax;
   }
 };
 

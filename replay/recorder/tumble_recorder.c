@@ -186,8 +186,8 @@ typedef struct Body {
   uint64_t told; /* serial of the step in which the state was last given */
   unsigned char is_static, asleep, gone, last_known, last_wide;
   unsigned char last[8 * kStateDoubles]; /* as in states64 where wide, else as in states32 */
-  uint64_t added, removed_at; /* steps */
-  unsigned char* record;      /* ring: its record, to begin a part with */
+  uint64_t added, removed_at;            /* steps */
+  unsigned char* record;                 /* ring: its record, to begin a part with */
   size_t record_size;
 } Body;
 
@@ -195,6 +195,11 @@ typedef struct Channel {
   char name[kNameMax + 1];
   unsigned char scope, type;
 } Channel;
+
+typedef struct Told { /* a value of the step */
+  uint64_t a, b, serial;
+  uint32_t channel;
+} Told;
 
 typedef struct Part { /* of the ring: frames that can be read by themselves */
   Bytes bytes;
@@ -264,9 +269,11 @@ struct TumbleRec {
   size_t woken, slept;        /* of those told in this step */
   Channel* channels;
   uint32_t channel_count, channel_room;
-  Bytes header; /* ring: its frame */
-  Bytes meshes; /* ring: their records, to begin each part with */
-  Bytes head;   /* frames that are no step's */
+  Told* told; /* by hash of channel and bodies: the values of this step; of another serial: free */
+  size_t told_count, told_room;
+  Bytes header;  /* ring: its frame */
+  Bytes meshes;  /* ring: their records, to begin each part with */
+  Bytes head;    /* frames that are no step's */
   Bytes pending; /* complete frames that are not written yet */
   uint32_t pending_steps;
   Tail tail;
@@ -1037,8 +1044,8 @@ static void verify_state(TumbleRec* rec, const Entry* e, const Body* body, const
   int k;
   const int was_asleep = e->kind == kSame ? body->asleep : p[8] & 1;
   for (k = 0; k < kStateDoubles; ++k) {
-    const double was = e->kind == kSame ? state_number(body->last, body->last_wide, k)
-                                        : state_number(p + 9, e->kind == kStates64, k);
+    const double was =
+        e->kind == kSame ? state_number(body->last, body->last_wide, k) : state_number(p + 9, e->kind == kStates64, k);
     const double is = state_number(now, wide, k);
     if (bits_of(was) == bits_of(is)) continue;
     name_field(rec, kStateFields[k], NULL, NULL);
@@ -1737,7 +1744,7 @@ TumbleRecStatus tumble_rec_step_begin(TumbleRec* rec, double dt_s) {
   rec->in_step = 1;
   rec->moving_told = rec->woken = rec->slept = 0;
   rec->hint = 0;
-  ++rec->serial;
+  ++rec->serial, rec->told_count = 0;
   return leave(rec, start);
 }
 
@@ -1841,6 +1848,10 @@ TumbleRecStatus tumble_rec_contact(TumbleRec* rec, const TumbleRecContact* conta
   }
   if (living(rec, contact->a, "a contact") == NULL) return leave(rec, rec->status);
   if (contact->b != 0 && living(rec, contact->b, "a contact") == NULL) return leave(rec, rec->status);
+  if (contact->a == contact->b) {
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a contact of body %" PRIu64 " with itself, wanted another",
+                           contact->a));
+  }
   size = 48 + 40 * (size_t)contact->point_count;
   begin = add(rec, kContact, size, 0);
   if (begin == NULL) return leave(rec, rec->status);
@@ -1941,6 +1952,48 @@ TumbleRecStatus tumble_rec_channel(TumbleRec* rec, const char* name, TumbleRecSc
   return leave(rec, entry_done(rec, kChannel, at, 8 + length, *channel, 0, UINT32_MAX));
 }
 
+/* The place of a value in `told`: its own, or a free one. */
+static Told* told_place(const TumbleRec* rec, uint32_t channel, uint64_t a, uint64_t b) {
+  const uint64_t mixed = (a * 0x9e3779b97f4a7c15U ^ b * 0xc2b2ae3d27d4eb4fU ^ channel * 0x165667b19e3779f9U);
+  size_t k = (size_t)(mixed >> 20) & (rec->told_room - 1);
+  for (;; k = (k + 1) & (rec->told_room - 1)) {
+    Told* told = &rec->told[k];
+    if (told->serial != rec->serial + 1) return told;
+    if (told->channel == channel && told->a == a && told->b == b) return told;
+  }
+}
+
+/* Notes that a value was told in this step. 0: it was before, or there is no memory. */
+static int tell_once(TumbleRec* rec, uint32_t channel, uint64_t a, uint64_t b) {
+  Told* told;
+  if (2 * rec->told_count >= rec->told_room) {
+    Told* old = rec->told;
+    const size_t old_room = rec->told_room;
+    size_t k;
+    rec->told_room = old_room == 0 ? 64 : 2 * old_room;
+    rec->told = (Told*)calloc(rec->told_room, sizeof *rec->told);
+    if (rec->told == NULL) {
+      rec->told = old, rec->told_room = old_room;
+      fail(rec, TUMBLE_REC_NO_MEMORY, "found no memory for values");
+      return 0;
+    }
+    for (k = 0; k < old_room; ++k) {
+      if (old[k].serial == rec->serial + 1) *told_place(rec, old[k].channel, old[k].a, old[k].b) = old[k];
+    }
+    free(old);
+  }
+  told = told_place(rec, channel, a, b);
+  if (told->serial == rec->serial + 1) {
+    fail(rec, TUMBLE_REC_BAD_CALL,
+         "channel \"%s\": found a second value of bodies %" PRIu64 " and %" PRIu64 " in a step, wanted one",
+         rec->channels[channel].name, a, b);
+    return 0;
+  }
+  told->a = a, told->b = b, told->channel = channel, told->serial = rec->serial + 1;
+  ++rec->told_count;
+  return 1;
+}
+
 /* The numbers of a channel, little-endian. */
 static void put_values(unsigned char* to, int type, const void* values, uint32_t count) {
   uint32_t k;
@@ -1974,13 +2027,14 @@ TumbleRecStatus tumble_rec_value(TumbleRec* rec, uint32_t channel, uint64_t a, u
         rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a value of channel \"%s\" between steps, wanted step_begin before",
                   rec->channels[channel].name));
   scope = rec->channels[channel].scope, type = rec->channels[channel].type;
-  if ((scope == TUMBLE_REC_WORLD) != (a == 0) || (b != 0) != (scope == TUMBLE_REC_OF_PAIR)) {
+  if ((scope == TUMBLE_REC_WORLD) != (a == 0) || (b != 0) != (scope == TUMBLE_REC_OF_PAIR) || (a != 0 && a == b)) {
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
                            "channel \"%s\": found bodies %" PRIu64 " and %" PRIu64 ", wanted those of its scope",
                            rec->channels[channel].name, a, b));
   }
   if ((a != 0 && living(rec, a, "a value") == NULL) || (b != 0 && living(rec, b, "a value") == NULL))
     return leave(rec, rec->status);
+  if (!tell_once(rec, channel, a, b)) return leave(rec, rec->status);
   size = 25 + value_bytes(type) * (size_t)count;
   at = add(rec, kValue, size, 0);
   if (at == NULL) return leave(rec, rec->status);
@@ -2147,7 +2201,7 @@ TumbleRecStatus tumble_rec_close(TumbleRec* rec) {
   if (rec->verify.file != NULL) fclose(rec->verify.file);
   for (k = 0; k < rec->body_count; ++k) free(rec->bodies[k].record);
   for (k = 0; k < kRingParts + 2; ++k) free(rec->ring[k].bytes.at);
-  free(rec->bodies), free(rec->slots), free(rec->channels), free(rec->phase_names);
+  free(rec->bodies), free(rec->slots), free(rec->channels), free(rec->told), free(rec->phase_names);
   close_tail(rec);
   free(rec->frame.at), free(rec->head.at), free(rec->header.at), free(rec->pending.at), free(rec->meshes.at);
   free(rec->tail.path), free(rec->verify.tail_path);

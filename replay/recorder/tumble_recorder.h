@@ -19,6 +19,10 @@
  * Lengths in the engine's unit, vectors in its axes (def.up, def.metres); times in s, angular velocity in rad/s about
  * world axes, orientations w, x, y, z. Every double is kept to the bit; numbers that are floats take 4 bytes.
  *
+ * What contradicts itself is TUMBLE_REC_BAD_CALL: a second state of a body or a second value of a channel and its
+ * bodies in one step, a state, contact, value or input of a body that does not exist (not added, or removed), a contact
+ * of a body with itself, no state of a body that moves. Two contacts of one pair and part are kept: more points.
+ *
  * Functions return TUMBLE_REC_OK or the kind of error, never abort, and accept NULL for rec. After an error, every
  * further call returns the same one and tumble_rec_message() says what was found and wanted; what was written before
  * stays. One thread at a time may use a recorder, and one thread only from step_begin to step_end: a call of another
@@ -175,7 +179,7 @@ TumbleRecStatus tumble_rec_contact(TumbleRec* rec, const TumbleRecContact* conta
 TumbleRecStatus tumble_rec_phase_hash(TumbleRec* rec, uint32_t phase, uint64_t hash);
 TumbleRecStatus tumble_rec_step_end(TumbleRec* rec);
 
-/* A named quantity; *channel is its number. Declared once, at any time outside a step. */
+/* A named quantity; *channel is its number. Declared once, at any time outside a step; at most 4096 of them. */
 TumbleRecStatus tumble_rec_channel(TumbleRec* rec, const char* name, TumbleRecScope scope, TumbleRecType type,
                                    uint32_t* channel);
 /* Its value(s) in the open step, or at the start: count numbers of the channel's type, or bytes. a, b: the body or the

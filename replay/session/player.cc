@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/base/check.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -26,7 +27,7 @@ class Both : public sim::Observer {
 
 Status must_be_ours(const LogReader& log) {
   if (!log.header().engine) return {};
-  return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
+  return bad_input(log.name() + ": this log was written by " + printable(to_string(*log.header().engine)) +
                    "; it cannot be replayed, only compared (diff, measure, dump, render, check)");
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "replay/format/limits.h"
 #include "replay/format/step_values.h"
 #include "replay/stream/stream_cursor.h"
 #include "src/base/text.h"
@@ -17,7 +18,7 @@ namespace {
 // TumbleRecType of tumble_recorder.h.
 enum Type : std::uint8_t { kF32 = 0, kF64 = 1, kI32 = 2, kI64 = 3, kU32 = 4, kU64 = 5, kBytes = 6, kText = 7 };
 
-/// A value of more numbers is one of bytes, for a log has room for a thousand channels.
+/// A value of more numbers is one of bytes: nobody reads so many channels.
 constexpr std::uint32_t kCountMax = 128;
 
 ChannelKind kind_of(const StreamChannel& channel, std::uint32_t count) {
@@ -173,9 +174,30 @@ Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& s
   return rows;
 }
 
+/// A log has room for kChannelsMax channels: while there are more, those with the most numbers a value become one of
+/// bytes each.
+void StreamExtras::fit() {
+  std::size_t channels = named_inputs_.size();
+  for (const auto& [number, found] : found_) channels += parts_of(found);
+  std::size_t joined = 0;
+  while (channels > kChannelsMax) {
+    const auto by_parts = [](const auto& a, const auto& b) { return parts_of(a.second) < parts_of(b.second); };
+    const auto most = std::ranges::max_element(found_, by_parts);
+    if (most == found_.end() || parts_of(most->second) == 1) break;  // the log refuses them
+    channels -= parts_of(most->second) - 1;
+    most->second.count = kCountMax + 1;
+    ++joined;
+  }
+  if (joined == 0) return;
+  notes_.push_back(count_text(joined, "channel") + " of several numbers a value " + (joined == 1 ? "is" : "are") +
+                   " logged as bytes, for a log has at most " + std::to_string(kChannelsMax) +
+                   " channels of one number");
+}
+
 Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodies& bodies) {
   Declared declared;
   std::set<std::string> taken;
+  fit();
   for (const auto& [name, type] : named_inputs_) taken.insert(name);
   for (auto& [number, found] : found_) {
     rename(found, taken);

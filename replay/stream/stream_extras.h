@@ -48,6 +48,7 @@ class StreamExtras {
 
   /// The channels of the log that one of the stream becomes.
   static std::uint32_t parts_of(const Found& found);
+  void fit();
   void rename(Found& found, std::set<std::string>& taken);
   void note_renamed(const char* what, const std::string& name, const std::string& now);
   [[nodiscard]] Result<std::vector<Row>> rows_of(const StreamStep& step) const;

@@ -57,6 +57,7 @@ TEST(EngineLogRefusal, OfAnOrientationThatIsNoRotation) {
   }
   state.orientation = {std::nan(""), 0, 0, 0};
   EXPECT_TRUE(log.set_state(1, state).ok()) << "a body that is lost";
+  ASSERT_TRUE(log.end_step(0.01).ok());
   state.orientation = {1.005, 0, 0, 0};
   EXPECT_TRUE(log.set_state(1, state).ok()) << "within the bound";
 }
@@ -78,6 +79,48 @@ TEST(EngineLogRefusal, OfAnOrientationThatAProgramInCForgot) {
   EXPECT_NE(std::string(tumble_log_message(log)).find("found an orientation of length 0"), std::string::npos);
   tumble_log_free(log);
   std::remove(path.c_str());
+}
+
+TEST(EngineLogRefusal, OfASecondStateOfABodyInAStep) {
+  const auto made = log_of(cube(1));
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  ASSERT_TRUE((*made)->set_state(1, {}).ok());
+  const Status twice = (*made)->set_state(1, {});
+  ASSERT_FALSE(twice.ok());
+  EXPECT_NE(twice.error().message.find("step 1: found a second state of body 1"), std::string::npos)
+      << twice.error().message;
+}
+
+TEST(EngineLogRefusal, OfValuesAndContactsOfBodiesThatDoNotExist) {
+  sim::SceneDef start;
+  start.boxes = {cube(1), cube(2)};
+  EngineDef def = {{"toy", "1"}, {}, {}};
+  def.declared.channels = {{"joint", {ChannelKind::kFloat64, ChannelScope::kBody}, ""},
+                           {"pair", {ChannelKind::kFloat64, ChannelScope::kPair}, ""}};
+  const auto end_of = [&](const auto& tell) {
+    auto sink = std::make_unique<MemoryByteSink>(std::make_shared<std::vector<std::byte>>(), "toy.tumble");
+    const auto log = EngineLog::create(std::move(sink), def, start);
+    EXPECT_TRUE((*log)->input(sim::Remove{2}).ok());
+    EXPECT_TRUE((*log)->set_state(1, {}).ok());
+    EXPECT_TRUE(tell(**log).ok());
+    const Status ended = (*log)->end_step(0.01);
+    return ended.ok() ? std::string() : ended.error().message;
+  };
+  const auto contact = [](sim::BodyId a, sim::BodyId b) {
+    return [=](EngineLog& log) { return log.add_contact({a, b, {0, 0, 0}, {0, 0, 1}, 0, 0}); };
+  };
+  EXPECT_EQ(end_of(contact(1, 0)), "");
+  EXPECT_EQ(end_of(contact(1, 2)), "") << "a body that this step removed";
+  EXPECT_NE(end_of(contact(1, 9)).find("step 1: found a contact of body 9"), std::string::npos);
+  EXPECT_EQ(end_of([](EngineLog& log) { return log.set_value(0, 0.5, {1, 0}); }), "");
+  EXPECT_NE(end_of([](EngineLog& log) {
+              return log.set_value(0, 0.5, {9, 0});
+            }).find("channel \"joint\" of body 9"),
+            std::string::npos);
+  EXPECT_NE(end_of([](EngineLog& log) { return log.set_value(1, 0.5, {9, 1}); }).find("of body 9"), std::string::npos);
+  def.declared.start.contacts = {{1, 7, {0, 0, 0}, {0, 0, 1}, 0, 0}};
+  auto sink = std::make_unique<MemoryByteSink>(std::make_shared<std::vector<std::byte>>(), "toy.tumble");
+  EXPECT_FALSE(EngineLog::create(std::move(sink), def, start).ok());
 }
 
 }  // namespace

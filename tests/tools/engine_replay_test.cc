@@ -76,11 +76,11 @@ TEST(EngineReplay, SaysHowFarABrokenEngineCame) {
   EXPECT_TRUE(says(hangs.err, "the 19 steps that it wrote before")) << hangs.err;
   write_falling(shop, "--hang 20", "timeout = 0.5\n");
   EXPECT_TRUE(says(shop.run({"replay", "a.tumble"}).err, "the 19 steps that it wrote before"));
-  write_falling(shop, "--twice 20");
-  const Outcome twice = shop.run({"replay", "a.tumble"});
-  EXPECT_EQ(twice.exit, 4) << twice.out;
-  EXPECT_TRUE(says(twice.err, "wrote a stream with a step that no log can hold: ")) << twice.err;
-  EXPECT_TRUE(says(twice.err, "the 19 steps that it wrote before, up to step 19 of 40")) << twice.err;
+  write_falling(shop, "--stretched 20");
+  const Outcome stretched = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(stretched.exit, 4) << stretched.out;
+  EXPECT_TRUE(says(stretched.err, "wrote a stream with a step that no log can hold: ")) << stretched.err;
+  EXPECT_TRUE(says(stretched.err, "the 19 steps that it wrote before, up to step 19 of 40")) << stretched.err;
   write_falling(shop, "--move 5:1 --crash 20");
   const Outcome both = shop.run({"replay", "a.tumble"});
   EXPECT_EQ(both.exit, 1) << "a difference is an answer";
@@ -123,9 +123,9 @@ TEST(EngineCheck, SaysHowFarAnEngineThatFailedWasTheSame) {
   EXPECT_TRUE(says(other, "it wrote 19 steps before it failed; first difference: step 5")) << other;
   const std::string hangs = problems_of(shop, "--hang 30", "timeout = 0.5\n");
   EXPECT_TRUE(says(hangs, "it wrote 29 steps before it failed, with the same bits")) << hangs;
-  const std::string twice = problems_of(shop, "--twice 20");
-  EXPECT_TRUE(says(twice, "a step that no log can hold")) << twice;
-  EXPECT_TRUE(says(twice, "it wrote 19 steps before it failed, with the same bits")) << twice;
+  const std::string stretched = problems_of(shop, "--stretched 20");
+  EXPECT_TRUE(says(stretched, "a step that no log can hold")) << stretched;
+  EXPECT_TRUE(says(stretched, "it wrote 19 steps before it failed, with the same bits")) << stretched;
   const std::string none = problems_of(shop, "--crash 1");
   EXPECT_FALSE(says(none, "it wrote")) << none;
 }
@@ -133,12 +133,13 @@ TEST(EngineCheck, SaysHowFarAnEngineThatFailedWasTheSame) {
 TEST(EngineReplay, SaysWhereAStreamIsNotWhole) {
   const Workshop shop;
   record_falling(shop, "a");
-  const std::string engine = "'" TUMBLE_STREAM_ENGINE "' --twice 4 --log '" + shop.path("twice.tumblestream") + "'";
+  const std::string engine =
+      "'" TUMBLE_STREAM_ENGINE "' --stretched 4 --log '" + shop.path("stretched.tumblestream") + "'";
   ASSERT_EQ(std::system(engine.c_str()), 0);
-  const Outcome told_twice = shop.run({"import", "twice.tumblestream"});
-  EXPECT_EQ(told_twice.exit, 2) << told_twice.out;
-  EXPECT_TRUE(says(told_twice.err, "; the log holds the steps before, up to 3")) << told_twice.err;
-  const Outcome info = shop.run({"info", "twice.tumble"});
+  const Outcome told_stretched = shop.run({"import", "stretched.tumblestream"});
+  EXPECT_EQ(told_stretched.exit, 2) << told_stretched.out;
+  EXPECT_TRUE(says(told_stretched.err, "; the log holds the steps before, up to 3")) << told_stretched.err;
+  const Outcome info = shop.run({"info", "stretched.tumble"});
   EXPECT_TRUE(says(info.out, "step 4 of the recorder's stream is none that a log can hold")) << info.out;
   write_falling(shop, "--open");
   const Outcome open = shop.run({"replay", "a.tumble"});

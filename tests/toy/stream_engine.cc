@@ -3,11 +3,11 @@
 //
 //   stream_engine --log FILE [--inputs FILE] [--kick STEP:BODY:VALUE]… [--steps N] [--dt S] [--pause MS]
 //                 [--angle STEP:VALUE] [--seed STEP:VALUE] [--grip STEP:VALUE] [--move STEP:VALUE] [--extra]
-//                 [--nan STEP] [--twice STEP] [--crash STEP] [--hang STEP] [--open] [--table]
+//                 [--nan STEP] [--stretched STEP] [--crash STEP] [--hang STEP] [--open] [--table]
 //
 // --angle, --seed, --grip, --move: another value of a channel, or of a position, in that step. --extra: a channel more.
-// --twice: tells a channel twice in that step, which no log can hold. --crash, --hang: in that step. --open: ends well
-// without closing the recorder. --table: rows instead of a stream.
+// --stretched: an orientation of length 2 in that step, which no log can hold. --crash, --hang: in that step. --open:
+// ends well without closing the recorder. --table: rows instead of a stream.
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -41,7 +41,7 @@ struct Kick {
 
 struct Options {
   std::string log, inputs;
-  std::uint64_t steps = 40, nan = 0, twice = 0, crash = 0, hang = 0, pause_ms = 0;
+  std::uint64_t steps = 40, nan = 0, stretched = 0, crash = 0, hang = 0, pause_ms = 0;
   double dt = 0.015625;
   At angle, seed, grip, move;
   std::vector<Kick> kicks;
@@ -63,9 +63,9 @@ At at_of(const std::string& text) {
 Options read_options(int argc, char** argv) {
   Options o;
   std::map<std::string, std::string*> texts = {{"--log", &o.log}, {"--inputs", &o.inputs}};
-  std::map<std::string, std::uint64_t*> numbers = {{"--steps", &o.steps}, {"--nan", &o.nan},
-                                                   {"--twice", &o.twice}, {"--crash", &o.crash},
-                                                   {"--hang", &o.hang},   {"--pause", &o.pause_ms}};
+  std::map<std::string, std::uint64_t*> numbers = {{"--steps", &o.steps},         {"--nan", &o.nan},
+                                                   {"--stretched", &o.stretched}, {"--crash", &o.crash},
+                                                   {"--hang", &o.hang},           {"--pause", &o.pause_ms}};
   std::map<std::string, At*> ats = {
       {"--angle", &o.angle}, {"--seed", &o.seed}, {"--grip", &o.grip}, {"--move", &o.move}};
   std::map<std::string, bool*> flags = {{"--extra", &o.extra}, {"--open", &o.open}, {"--table", &o.table}};
@@ -203,14 +203,14 @@ class Engine {
     }
     tumble_rec_step_begin(rec_, options_.dt);
     for (std::uint64_t id = 1; id <= 2; ++id) {
-      const TumbleRecState now = state(id);
+      TumbleRecState now = state(id);
+      if (options_.stretched == k) now.orientation[0] = 2;
       tumble_rec_state(rec_, id, &now);
       tumble_rec_f64(rec_, angle_, id, angle(k, id));
     }
     tumble_rec_i64(rec_, seed_, 0, seed(k));
     const double grip = options_.grip.step == k ? options_.grip.value : 0.5;
     tumble_rec_value(rec_, grip_, 1, 2, &grip, 1);
-    if (options_.twice == k) tumble_rec_i64(rec_, seed_, 0, seed(k));
     if (options_.extra) tumble_rec_f64(rec_, extra_, 0, time(k));
     tumble_rec_step_end(rec_);
   }

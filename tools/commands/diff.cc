@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "replay/diff/difference_report.h"
+#include "replay/log/hashes_only.h"
 #include "src/base/text.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
@@ -91,10 +92,14 @@ DiffQuestion question_of(const DiffCommand& options, bool exact_bits) {
 }
 
 /// --apart: when the two were first apart by more than that.
-Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::LogReader& a,
+Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b,
                                           const replay::DiffReport& report, const Difference& difference,
                                           std::uint64_t last) {
-  if (!options.apart || !report.first) return std::optional<Parting>();
+  if (!options.apart) return std::optional<Parting>();
+  if (replay::one_holds_hashes_only(a.header(), b.header())) {
+    return bad_input("--apart: the distance of the two is not known: one log holds hashes and no places of bodies");
+  }
+  if (!report.first) return std::optional<Parting>();
   if (!difference || !difference->growth) {
     return cannot_finish("--apart: the distance of the two is not known: " +
                          (difference ? difference->growth_unknown : "the difference was not followed"));
@@ -136,7 +141,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
     zoom = *std::move(found);
   }
   const std::uint64_t last = std::min(report->last_a, report->last_b);
-  const Result<std::optional<Parting>> parting = parting_of(options, a, *report, difference, last);
+  const Result<std::optional<Parting>> parting = parting_of(options, a, b, *report, difference, last);
   if (!parting.ok()) return parting.error();
   DiffQuestion question = question_of(options, tolerances->exact());
   if (options.shared) {
@@ -147,8 +152,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
                             *difference->growth->separation.bodies_from > last;
   if (options.apart && !options.json) print_parting(*parting, *options.apart, last, all_measured);
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
-  const bool is_same =
-      options.apart ? !*parting && all_measured && report->last_a == report->last_b : report->identical();
+  const bool is_same = options.apart ? !*parting && all_measured : report->identical();
   return is_same ? Exit::kSame : Exit::kDifference;
 }
 

@@ -24,6 +24,11 @@ class Grouping {
   Grouping(std::vector<replay::LogReader>& logs, const replay::Progress& progress) : logs_(logs), progress_(progress) {}
 
   Result<LogGroups> run() {
+    for (const replay::LogReader& log : logs_) {
+      std::string note = replay::not_whole(log);
+      if (!note.empty() && std::ranges::find(result_.notes, note) == result_.notes.end())
+        result_.notes.push_back(std::move(note));
+    }
     std::vector<std::size_t> order(logs_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
@@ -55,8 +60,10 @@ class Grouping {
       const Result<replay::DiffReport> report = replay::diff_logs(logs_[member], logs_[log], {}, progress_);
       if (!report.ok()) return report.error();
       if (report->first) return false;
-      if (result_.not_in_all.empty())
-        result_.not_in_all = report->only_in.text(logs_[member].name(), logs_[log].name());
+      if (result_.not_in_all.empty() && !report->only_in.empty()) {
+        const std::string &one = logs_[member].name(), &other = logs_[log].name();
+        result_.not_in_all = "of " + one + " and " + other + ", " + report->only_in.text(one, other);
+      }
       partial_ |= !report->scope.passed_over().empty() || report->last_a != report->last_b;
       scope_.add(report->scope, logs_[member].name() + " and " + logs_[log].name());
     }
@@ -145,6 +152,7 @@ void print_groups(const std::vector<std::string>& paths, const std::vector<repla
     if (group.against.first) std::cout << ": different from step " << group.against.first->step << " on";
     std::cout << '\n';
   }
+  for (const std::string& note : found.notes) std::cout << "  note     " << printable(note) << '\n';
   const std::uint64_t longest = logs[found.groups[0].longest].last_step();
   for (std::size_t i = 0; i < logs.size(); ++i) {
     if (logs[i].last_step() == longest) continue;
@@ -168,11 +176,8 @@ void print_groups(const std::vector<std::string>& paths, const std::vector<repla
 }
 
 Json groups_json(const std::vector<std::string>& paths, const LogGroups& found) {
-  Json json = {{"identical", found.identical()},
-               {"logs", paths},
-               {"has_majority", found.has_majority()},
-               {"not_in_all", found.not_in_all},
-               {"groups", Json::array()}};
+  Json json = {{"identical", found.identical()}, {"logs", paths},        {"has_majority", found.has_majority()},
+               {"not_in_all", found.not_in_all}, {"notes", found.notes}, {"groups", Json::array()}};
   for (std::size_t g = 0; g < found.groups.size(); ++g) {
     const LogGroup& group = found.groups[g];
     Json one = {{"logs", Json::array()}, {"odd", g > 0 && found.has_majority()}};

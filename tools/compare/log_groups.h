@@ -29,6 +29,7 @@ struct LogGroups {
   std::vector<std::size_t> undecided;  ///< logs that agree with several groups: too short, or without a channel
   replay::ComparisonScope scope;       ///< of the comparisons between logs that agree
   bool same_length = false;            ///< all logs end with the same step
+  std::vector<std::string> notes;      ///< for people: of each log that is not whole, or whose session may have gone on
   std::string not_in_all;  ///< for people: data that not all logs of a group have, and two of these logs; empty: none
   [[nodiscard]] bool identical() const { return groups.size() == 1 && same_length && not_in_all.empty(); }
   [[nodiscard]] bool has_majority() const { return groups.size() == 1 || groups[0].decided > groups[1].decided; }

@@ -47,7 +47,7 @@ Result<golden::EngineProject> project_for(const replay::LogReader& log) {
   Result<std::optional<golden::EngineProject>> found = golden::find_project(".");
   if (!found.ok()) return found.error();
   if (*found) return **std::move(found);
-  return bad_input(printable(log.name()) + ": this log was written by " + to_string(*log.header().engine) +
+  return bad_input(printable(log.name()) + ": this log was written by " + printable(to_string(*log.header().engine)) +
                    "; it cannot be replayed, only compared (diff, measure, dump, render, check), unless a " +
                    golden::kProjectFile +
                    " in this folder or above says how that engine runs: [engine] with run = \"… {log}\" "

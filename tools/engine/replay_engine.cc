@@ -177,7 +177,7 @@ Result<Exit> replay_engine(replay::LogReader& log, const EngineReplay& options) 
   if (!again.ok()) return again.error();
   if (!again->header().engine) {
     return bad_input(project->file.string() + ": run wrote a log of Tumble's own physics, wanted one of " +
-                     to_string(*log.header().engine));
+                     printable(to_string(*log.header().engine)));
   }
   return compare_with(log, *again, *session, options);
 }

@@ -235,7 +235,9 @@ void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const rep
   }
 }
 
-bool add_left_out(const replay::LogHeader& a, const replay::LogHeader& b, Json& step) {
+bool add_left_out(const replay::LogReader& log_a, const replay::LogReader& log_b, Json& step) {
+  const replay::LogHeader &a = log_a.header(), &b = log_b.header();
+  step["notes"] = replay::notes_on_wholeness(log_a, log_b);
   const bool two_engines = replay::are_two_engines(a, b);
   Json parts = replay::match_channels(a, b, {}, two_engines).passed_over;
   for (const replay::LogHeader* header : {&a, &b}) {
@@ -252,6 +254,7 @@ bool add_left_out(const replay::LogHeader& a, const replay::LogHeader& b, Json& 
 }
 
 void print_left_out(const Json& step, const Sides& sides) {
+  for (const Json& note : step["notes"]) std::cout << "  note: " << printable(note.get<std::string>()) << '\n';
   for (const auto& [side, name] : {std::pair("a", sides.expected), std::pair("b", sides.actual)}) {
     for (const Json& part : step["only_in"][side])
       std::cout << "  only in " << name << ": " << printable(part.get<std::string>()) << '\n';

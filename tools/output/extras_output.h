@@ -51,9 +51,10 @@ void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const rep
                            const replay::StepRecord& in_b, Json& rows);
 
 /// Adds to a step side by side "not_compared", channels and columns of tables that no comparison looks at, each with
-/// its reason, and "only_in", data that one of two logs of one engine lacks. False: there is such data.
-bool add_left_out(const replay::LogHeader& a, const replay::LogHeader& b, Json& step);
-/// Prints both.
+/// its reason, "notes" on logs that are not whole, and "only_in", data that one of two logs of one engine lacks. False:
+/// there is such data.
+bool add_left_out(const replay::LogReader& log_a, const replay::LogReader& log_b, Json& step);
+/// Prints all three.
 void print_left_out(const Json& step, const Sides& sides);
 
 }  // namespace tumble::tools

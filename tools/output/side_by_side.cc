@@ -12,6 +12,7 @@
 #include "replay/diff/input_difference.h"
 #include "replay/diff/step_contacts.h"
 #include "replay/format/little_endian.h"
+#include "replay/log/hashes_only.h"
 #include "replay/session/state_source.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
@@ -53,8 +54,9 @@ Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const
 
 /// The kind of the two logs, which decides what can be compared.
 struct Kind {
-  bool same_words = false;  ///< phase words and contacts mean the same
-  bool imported = false;    ///< by another engine, which counts neither pairs nor contacts
+  bool same_words = false;     ///< phase words and contacts mean the same
+  bool imported = false;       ///< by another engine, which counts neither pairs nor contacts
+  bool values_in_one = false;  ///< the other holds hashes: only the lengths of steps are in both
 };
 
 Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const Kind& kind) {
@@ -66,6 +68,7 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const
     add(name, number_json(in_a), number_json(in_b), replay::bits_of(in_a) == replay::bits_of(in_b));
   };
   number("dt", a.dt, b.dt);
+  if (kind.values_in_one) return rows;
   add("inputs", inputs_json(a), inputs_json(b), !replay::first_difference(std::span(a.inputs), std::span(b.inputs)));
   const auto count = [&](const char* name, std::uint32_t in_a, std::uint32_t in_b) {
     add(name, in_a, in_b, in_a == in_b);
@@ -180,11 +183,6 @@ Status check_states(const replay::LogReader& log, const replay::StepRecord& reco
                  " do not match their state hash");
 }
 
-void forgive_signs(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
-  const bool any = replay::forgive_zeros(in_a, in_b) > 0;
-  if (any && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
-}
-
 /// One step of two logs.
 struct SideBySide {
   bool same = false;  ///< in every bit that both logs hold of it
@@ -206,8 +204,10 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   replay::StepRecord in_b = **read_b;
   if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
   if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
-  const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine};
-  if (kind.imported) forgive_signs(in_a, in_b);
+  const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine,
+                     replay::one_holds_hashes_only(a.header(), b.header())};
+  const bool signs = kind.imported && replay::forgive_zeros(in_a, in_b) > 0;
+  if (signs && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
 
   SideBySide step;
   Json& json = step.json = {{"step", k}, {"same", false}};
@@ -217,11 +217,11 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
     note = "phase hashes: a log holds none of step " + std::to_string(k) + ", so none compared";
   json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
-  add_extra_differences(a, b, in_a, in_b, json["values"]);
-  const bool all = add_left_out(a.header(), b.header(), json);
+  if (!kind.values_in_one) add_extra_differences(a, b, in_a, in_b, json["values"]);
+  const bool all = add_left_out(a, b, json);
   const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
   json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
-  const bool have_states = in_a.has_states && in_b.has_states;
+  const bool have_states = in_a.has_states && in_b.has_states && !kind.values_in_one;
   const replay::EngineAxes axes = common_axes(a.header(), b.header());
   json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, axes) : Json(nullptr);
   json["axes"] = axes.ours() ? Json(nullptr) : axes_json(axes);
@@ -264,8 +264,7 @@ void print_text(const SideBySide& step, const Sides& sides) {
     if (on_one_side > 0) std::cout << "  (substeps that only one of them has are left out)\n";
   }
   if (!json["axes"].is_null()) std::cout << "\nfields are named by the axes of the tables\n";
-  if (!json["bodies"].is_null() && !json["bodies"].empty()) {
-    const std::size_t count = json["bodies"].size();
+  if (const std::size_t count = json["bodies"].size(); count > 0) {  // null has none
     std::cout << '\n' << count_text(count, "body") << " differ" << (count == 1 ? "s" : "");
     if (count > kBodiesShown) std::cout << "; the first " << kBodiesShown << " (all with --json)";
     std::cout << '\n';

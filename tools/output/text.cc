@@ -70,7 +70,12 @@ Table::Table(std::vector<std::string> header) {
     right_.push_back(name.starts_with('>'));
     if (right_.back()) name.erase(0, 1);
   }
-  rows_.push_back(std::move(header));
+  add(std::move(header));
+}
+
+void Table::add(std::vector<std::string> row) {
+  for (std::string& cell : row) cell = printable(cell);
+  rows_.push_back(std::move(row));
 }
 
 void Table::print() const {

@@ -26,24 +26,24 @@ Json number_json(double value);
 /// The number that number_json() wrote; none for other values.
 std::optional<double> number_of(const Json& json);
 
-/// Lines of "label  value", values aligned.
+/// Lines of "label  value", values aligned. Text of a file stays in its line: it is printed as printable() has it.
 class Listing {
  public:
-  void add(std::string label, std::string value) { lines_.emplace_back(std::move(label), std::move(value)); }
+  void add(std::string_view label, std::string_view value) { lines_.emplace_back(printable(label), printable(value)); }
   /// An empty line, and `title` on a line of its own if there is one.
-  void section(const std::string& title) { lines_.emplace_back(title.empty() ? "" : "\n" + title, ""); }
+  void section(std::string_view title) { lines_.emplace_back(title.empty() ? "" : "\n" + printable(title), ""); }
   void print() const;
 
  private:
   std::vector<std::pair<std::string, std::string>> lines_;
 };
 
-/// A table with a header; columns are as wide as they need to be.
+/// A table with a header; columns are as wide as they need to be. Cells are printed as printable() has them.
 class Table {
  public:
   /// A name that begins with '>' makes a column of numbers, aligned on the right.
   explicit Table(std::vector<std::string> header);
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void add(std::vector<std::string> row);
   void print() const;
 
  private:

@@ -1,0 +1,140 @@
+// What contradicts itself is refused by the call that gives it, and what the recorder takes can be read.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/recorder/imported.h"
+#include "tests/recorder/recorded.h"
+
+namespace tumble::test {
+namespace {
+
+TEST(Refusals, ASecondValueOfOneChannelAndBodyInAStep) {
+  std::string message;
+  (void)record(2, 3, [&](TumbleRec* rec) {
+    std::uint32_t joint = 0, pair = 0;
+    EXPECT_EQ(tumble_rec_channel(rec, "joint", TUMBLE_REC_OF_BODY, TUMBLE_REC_F64, &joint), TUMBLE_REC_OK);
+    EXPECT_EQ(tumble_rec_channel(rec, "pair", TUMBLE_REC_OF_PAIR, TUMBLE_REC_F64, &pair), TUMBLE_REC_OK);
+    const double value = 1;
+    for (int k = 0; k < 2; ++k) {  // once in each step is fine
+      EXPECT_EQ(tumble_rec_step_begin(rec, 0.0625), TUMBLE_REC_OK);
+      for (std::uint64_t id = 1; id <= 2; ++id) {
+        TumbleRecState state = state_at(id, 3);
+        state.asleep = id == 2 ? 1 : 0;
+        EXPECT_EQ(tumble_rec_state(rec, id, &state), TUMBLE_REC_OK);
+        EXPECT_EQ(tumble_rec_f64(rec, joint, id, 0.5), TUMBLE_REC_OK);
+      }
+      EXPECT_EQ(tumble_rec_value(rec, pair, 1, 2, &value, 1), TUMBLE_REC_OK);
+      EXPECT_EQ(tumble_rec_value(rec, pair, 2, 1, &value, 1), TUMBLE_REC_OK);
+      EXPECT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+    }
+    EXPECT_EQ(tumble_rec_step_begin(rec, 0.0625), TUMBLE_REC_OK);
+    EXPECT_EQ(tumble_rec_f64(rec, joint, 1, 0.5), TUMBLE_REC_OK);
+    EXPECT_EQ(tumble_rec_f64(rec, joint, 1, 0.5), TUMBLE_REC_BAD_CALL);
+    message = tumble_rec_message(rec);
+  });
+  EXPECT_NE(message.find("channel \"joint\": found a second value of bodies 1 and 0 in a step"), std::string::npos)
+      << message;
+}
+
+TEST(Refusals, ManyValuesOfAStepAreKeptApart) {
+  const auto imported = import_bytes(record(200, 1, [](TumbleRec* rec) {
+    std::uint32_t channels[8];
+    for (std::uint32_t c = 0; c < 8; ++c) {
+      const std::string name = "c" + std::to_string(c);
+      ASSERT_EQ(tumble_rec_channel(rec, name.c_str(), TUMBLE_REC_OF_BODY, TUMBLE_REC_F64, &channels[c]), TUMBLE_REC_OK);
+    }
+    tumble_rec_step_begin(rec, 0.0625);
+    for (std::uint64_t id = 1; id <= 200; ++id) {
+      const TumbleRecState state = state_at(id, 2);
+      ASSERT_EQ(tumble_rec_state(rec, id, &state), TUMBLE_REC_OK);
+      for (const std::uint32_t c : channels) ASSERT_EQ(tumble_rec_f64(rec, c, id, 1.5), TUMBLE_REC_OK);
+    }
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+  }));
+  ASSERT_TRUE(imported.ok()) << imported.error().message;
+}
+
+TEST(Refusals, AContactOrAValueOfABodyThatIsNone) {
+  const auto refused = [](const auto& call) {
+    std::string message;
+    (void)record(2, 1, [&](TumbleRec* rec) {
+      std::uint32_t joint = 0;
+      tumble_rec_channel(rec, "joint", TUMBLE_REC_OF_BODY, TUMBLE_REC_F64, &joint);
+      tumble_rec_remove(rec, 2);
+      tumble_rec_step_begin(rec, 0.0625);
+      EXPECT_EQ(call(rec, joint), TUMBLE_REC_BAD_CALL);
+      message = tumble_rec_message(rec);
+    });
+    return message;
+  };
+  const auto contact = [](std::uint64_t a, std::uint64_t b) {
+    return [a, b](TumbleRec* rec, std::uint32_t) {
+      TumbleRecContact told = {};
+      told.a = a, told.b = b;
+      return tumble_rec_contact(rec, &told);
+    };
+  };
+  EXPECT_NE(refused(contact(1, 9)).find("a contact of body 9"), std::string::npos);
+  EXPECT_NE(refused(contact(1, 2)).find("a contact of body 2"), std::string::npos) << "it was removed";
+  EXPECT_NE(refused(contact(1, 1)).find("a contact of body 1 with itself"), std::string::npos);
+  const auto value = [](TumbleRec* rec, std::uint32_t joint) { return tumble_rec_f64(rec, joint, 9, 1); };
+  EXPECT_NE(refused(value).find("a value of body 9"), std::string::npos);
+  const auto twice = [](TumbleRec* rec, std::uint32_t) {
+    const TumbleRecState state = state_at(1, 2);
+    tumble_rec_state(rec, 1, &state);
+    return tumble_rec_state(rec, 1, &state);
+  };
+  EXPECT_NE(refused(twice).find("found two states of body 1 in a step"), std::string::npos);
+}
+
+/// Two steps with `channels` channels of `numbers` numbers a value.
+StreamBytes record_channels(std::uint32_t channels, std::uint32_t numbers, std::uint32_t steps) {
+  return record(1, 1, [=](TumbleRec* rec) {
+    std::vector<std::uint32_t> made(channels);
+    for (std::uint32_t c = 0; c < channels; ++c) {
+      const std::string name = "channel " + std::to_string(c);
+      ASSERT_EQ(tumble_rec_channel(rec, name.c_str(), TUMBLE_REC_WORLD, TUMBLE_REC_F64, &made[c]), TUMBLE_REC_OK)
+          << tumble_rec_message(rec);
+    }
+    const std::vector<double> values(numbers, 0.25);
+    for (std::uint32_t k = 2; k < steps + 2; ++k) {
+      tumble_rec_step_begin(rec, 0.0625);
+      const TumbleRecState state = state_at(1, k);
+      tumble_rec_state(rec, 1, &state);
+      for (const std::uint32_t c : made) tumble_rec_value(rec, c, 0, 0, values.data(), numbers);
+      ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    }
+  });
+}
+
+TEST(Refusals, EveryNumberOfChannelsThatTheRecorderTakesCanBeRead) {
+  auto most = import_bytes(record_channels(4096, 1, 140));
+  ASSERT_TRUE(most.ok()) << most.error().message;
+  EXPECT_EQ(most->log.header().declared.channels.size(), 4096U);
+  for (std::uint64_t k = 1; k <= most->log.last_step(); ++k) {
+    const auto step = most->log.read_step(k);
+    ASSERT_TRUE(step.ok()) << step.error().message;
+  }
+  std::string message;
+  (void)record(1, 1, [&](TumbleRec* rec) {
+    std::uint32_t made = 0;
+    for (int c = 0; c < 4096; ++c)
+      tumble_rec_channel(rec, std::to_string(c).c_str(), TUMBLE_REC_WORLD, TUMBLE_REC_F64, &made);
+    EXPECT_EQ(tumble_rec_channel(rec, "more", TUMBLE_REC_WORLD, TUMBLE_REC_F64, &made), TUMBLE_REC_BAD_CALL);
+    message = tumble_rec_message(rec);
+  });
+  EXPECT_NE(message.find("4096"), std::string::npos) << message;
+}
+
+TEST(Refusals, ValuesOfManyNumbersBecomeBytesWhereALogHasNoRoom) {
+  auto wide = import_bytes(record_channels(200, 100, 2));
+  ASSERT_TRUE(wide.ok()) << wide.error().message;
+  EXPECT_TRUE(mentions(wide->import.warnings, "of several numbers a value are logged as bytes"));
+  const auto step = wide->log.read_step(2);
+  ASSERT_TRUE(step.ok()) << step.error().message;
+}
+
+}  // namespace
+}  // namespace tumble::test
