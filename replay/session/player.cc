@@ -13,6 +13,8 @@ namespace {
 class Both : public sim::Observer {
  public:
   Both(sim::Observer& first, sim::Observer& second) : first_(first), second_(second) {}
+
+  Hasher* phase_begins() override { return first_.phase_begins(); }
   void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
     first_.phase_done(substep, phase, world);
     second_.phase_done(substep, phase, world);

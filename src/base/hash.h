@@ -70,6 +70,13 @@ std::span<const double> doubles_of(const std::vector<Row>& rows) {
   return {reinterpret_cast<const double*>(rows.data()), rows.size() * (sizeof(Row) / sizeof(double))};
 }
 
+/// Of rows [begin, end) alone.
+template <class Row>
+std::span<const double> doubles_of(const std::vector<Row>& rows, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kOfRow = sizeof(Row) / sizeof(double);
+  return doubles_of(rows).subspan(begin * kOfRow, (end - begin) * kOfRow);
+}
+
 /// XXH3-128 of bytes as a file stores them. Never pass the memory of a struct, which may have padding.
 Hash128 hash_bytes(std::span<const std::byte> bytes);
 

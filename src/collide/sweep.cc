@@ -8,6 +8,7 @@
 #include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/body_columns.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -195,13 +196,15 @@ BoxColumns box_columns_of(Scratch& scratch, std::size_t n) {
   return columns;
 }
 
-void update_frames(Bodies& bodies, Scratch& scratch) {
+void update_frames(Bodies& bodies, Scratch& scratch, Hasher* hasher) {
   const std::size_t n = bodies.size();
   const BodyColumns columns = columns_of(bodies);
   const BoxColumns boxes = box_columns_of(scratch, n);
-  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto update = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).bodies.put_boxes(columns, {begin, end}, boxes);
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, n, kBodiesAPart, kBodiesABlock, update,
+                    [&](std::size_t begin, std::size_t end) { hasher->add(doubles_of(scratch.frames, begin, end)); });
 }
 
 void hash_frames(const Scratch& scratch, Hasher& hasher) { hasher.add(doubles_of(scratch.frames)); }

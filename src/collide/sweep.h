@@ -10,7 +10,7 @@ namespace tumble::sim {
 
 /// Writes the box and the AABB of every body at its present place. The extents are rounded outwards to the position
 /// grid, so that a shifted scene has the same overlaps.
-void update_frames(Bodies& bodies, Scratch& scratch);
+void update_frames(Bodies& bodies, Scratch& scratch, Hasher* hasher = nullptr);
 
 /// Pointers to frames and AABBs of n bodies; makes the columns that long.
 BoxColumns box_columns_of(Scratch& scratch, std::size_t n);

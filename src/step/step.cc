@@ -159,6 +159,7 @@ class StepRun {
   /// would write the values that the scratch holds already.
   void look_at_all() {
     const std::uint32_t substeps = world_.state().def.substeps;
+    world_.mutable_scratch().fed_hasher = nullptr;
     for (std::size_t k = 0; k < table_.substeps_begin; ++k) notify(k);
     for (; substep_ < substeps; ++substep_) {
       for (std::size_t k = table_.substeps_begin; k < table_.substeps_end; ++k) notify(k);
@@ -200,7 +201,13 @@ class StepRun {
   }
 
   Status run(std::size_t phase, double dt_s) {
-    Status status = table_.phases[phase].run(world_.mutable_state(), world_.mutable_scratch(), dt_s);
+    Scratch& scratch = world_.mutable_scratch();
+    const bool alone = scratch.workers == nullptr || scratch.workers->count() == 1;
+    const bool tried = phase - table_.substeps_begin < table_.trial_count;
+    scratch.hasher = observer_ != nullptr && alone && !tried ? observer_->phase_begins() : nullptr;
+    scratch.fed_hasher = nullptr;
+    Status status = table_.phases[phase].run(world_.mutable_state(), scratch, dt_s);
+    scratch.hasher = nullptr;
     if (status.ok()) return status;
     return Error{status.error().kind, "step " + std::to_string(world_.state().step + 1) + ", phase " +
                                           table_.phases[phase].name + ": " + status.error().message};

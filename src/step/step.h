@@ -49,6 +49,9 @@ struct StepCounters {
 class Observer {
  public:
   virtual ~Observer() = default;
+  /// Called before a phase that is not tried. A hasher, empty: the phase may feed it, while it writes, what its hash
+  /// function would add; if it has, Scratch::fed_hasher is that hasher when phase_done() is called.
+  virtual Hasher* phase_begins() { return nullptr; }
   virtual void phase_done(std::uint32_t substep, std::size_t phase, const World& world) = 0;
 };
 
@@ -78,9 +81,12 @@ class PhaseHashes : public Observer {
   /// contacts, and what friction at rest does besides impulses. 5: covers whether a contact of method layered has
   /// slipped in its substep. 6: covers what `part_overlaps` takes from the motion of every body that it lifts,
   /// and the direction of lent inertia. 7: `prepare_manifolds` of method layered covers no slip of the step before,
-  /// which a restored world does not know.
-  static constexpr std::uint32_t kVersion = 7;
+  /// which a restored world does not know. 8: leaves out what a phase cannot change, of method layered masses and
+  /// inertias in all phases but the one that computes them, bodies without contact while contacts are solved, fields of
+  /// manifolds and points that come from an earlier phase, velocities of bodies that stay awake (`update_sleeping`).
+  static constexpr std::uint32_t kVersion = 8;
 
+  Hasher* phase_begins() override;
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;
   void clear() { words_.clear(); }
 

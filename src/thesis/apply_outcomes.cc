@@ -5,6 +5,7 @@
 
 #include "src/math/grid.h"
 #include "src/thesis/split_mass.h"
+#include "src/thesis/touched_bodies.h"
 #include "src/world/body_check.h"
 #include "src/world/lift_cost.h"
 
@@ -55,7 +56,12 @@ Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
 }
 
 void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
-  hash_motion(state.bodies, hasher);
+  const Bodies& bodies = state.bodies;
+  add_touched(scratch, hasher, [&](GatheredNumbers& numbers, BodyIndex i) {
+    numbers.add(Vec3(bodies.position[i]));
+    numbers.add(Vec3(bodies.velocity[i]));
+    numbers.add(Vec3(bodies.spin[i]));
+  });
   hasher.add(scratch.removed_energy);
 }
 

@@ -8,6 +8,7 @@
 #include "src/math/grid.h"
 #include "src/thesis/collision_impulse.h"
 #include "src/thesis/split_mass.h"
+#include "src/thesis/touched_bodies.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -254,9 +255,11 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
 void hash_compute_impulses(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   const Vec3Column& impulse = scratch.contacts.impulse;
   for (const auto* column : {&impulse.x, &impulse.y, &impulse.z}) hasher.add(std::span<const double>(*column));
-  for (const auto* gain : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
-    for (const auto* column : {&gain->x, &gain->y, &gain->z}) hasher.add(std::span<const double>(*column));
-  }
+  add_touched(scratch, hasher, [&](GatheredNumbers& numbers, BodyIndex i) {
+    for (const Vec3Column* gain : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
+      numbers.add(Vec3((*gain)[i]));
+    }
+  });
   hasher.add(std::span<const std::uint8_t>(scratch.touched));
   hasher.add(std::span<const std::uint8_t>(scratch.hit));
 }

@@ -5,6 +5,7 @@
 
 #include "src/math/grid.h"
 #include "src/thesis/merge_displacements.h"
+#include "src/thesis/touched_bodies.h"
 
 namespace tumble::sim {
 namespace {
@@ -55,10 +56,8 @@ Status compute_separation(WorldState& state, Scratch& scratch, double /*dt_s*/) 
 }
 
 void hash_compute_separation(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
-  const Vec3Column& displacement = scratch.displacement;
-  for (const auto* column : {&displacement.x, &displacement.y, &displacement.z}) {
-    hasher.add(std::span<const double>(*column));
-  }
+  add_touched(scratch, hasher,
+              [&](GatheredNumbers& numbers, BodyIndex i) { numbers.add(Vec3(scratch.displacement[i])); });
 }
 
 }  // namespace tumble::sim

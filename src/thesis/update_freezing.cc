@@ -130,7 +130,7 @@ void hash_update_freezing(const WorldState& state, const Scratch& /*scratch*/, H
   const Bodies& bodies = state.bodies;
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
-  hash_velocities(state.bodies, hasher);
+  hash_frozen_velocities(state.bodies, hasher);
   hasher.add(std::span<const BodyIndex>(state.contact_objects.body));
   hasher.add(std::span<const BodyIndex>(state.contact_objects.object));
 }

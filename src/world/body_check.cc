@@ -1,11 +1,13 @@
 #include "src/world/body_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "src/base/text.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/world/body_columns.h"
+#include "src/world/hash_on_the_way.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::sim {
@@ -75,23 +77,27 @@ Status check_gains_closely(const Bodies& bodies, BodyIndex i, double total) {
                        ", where their sum is exact; use smaller speeds, a smaller dt or less extreme masses");
 }
 
-void hash_places(const Bodies& bodies, Hasher& hasher) {
-  for (const auto* column : {&bodies.position.x, &bodies.position.y, &bodies.position.z, &bodies.orientation.w,
-                             &bodies.orientation.x, &bodies.orientation.y, &bodies.orientation.z}) {
-    hasher.add(std::span<const double>(*column));
+void hash_frozen_velocities(const Bodies& bodies, Hasher& hasher) {
+  GatheredNumbers numbers(hasher);
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (bodies.frozen[i] == 0) continue;
+    numbers.add(Vec3(bodies.velocity[i]));
+    numbers.add(Vec3(bodies.spin[i]));
   }
 }
 
-void hash_velocities(const Bodies& bodies, Hasher& hasher) {
-  for (const auto* column :
-       {&bodies.velocity.x, &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
-    hasher.add(std::span<const double>(*column));
+void add_motion(const Bodies& bodies, std::size_t begin, std::size_t end, Hasher& hasher) {
+  for (const auto* column : {&bodies.position.x, &bodies.position.y, &bodies.position.z, &bodies.orientation.w,
+                             &bodies.orientation.x, &bodies.orientation.y, &bodies.orientation.z, &bodies.velocity.x,
+                             &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
+    hasher.add(std::span<const double>(*column).subspan(begin, end - begin));
   }
 }
 
 void hash_motion(const Bodies& bodies, Hasher& hasher) {
-  hash_places(bodies, hasher);
-  hash_velocities(bodies, hasher);
+  for (std::size_t begin = 0; begin < bodies.size(); begin += kMotionsABlock) {
+    add_motion(bodies, begin, std::min(begin + kMotionsABlock, bodies.size()), hasher);
+  }
 }
 
 }  // namespace tumble::sim

@@ -67,13 +67,16 @@ inline Status check_gains(const Bodies& bodies, BodyIndex i, double total) {
   return check_gains_closely(bodies, i, total);
 }
 
-/// Adds position and orientation of all bodies to the hash.
-void hash_places(const Bodies& bodies, Hasher& hasher);
+/// Adds velocity and spin of the frozen bodies to the hash.
+void hash_frozen_velocities(const Bodies& bodies, Hasher& hasher);
 
-/// Adds velocity and spin of all bodies to the hash.
-void hash_velocities(const Bodies& bodies, Hasher& hasher);
+/// Bodies of a block: the hash gets their columns of position, orientation, velocity and spin, then the next block's.
+inline constexpr std::size_t kMotionsABlock = 256;
 
-/// Adds position, orientation, velocity and spin of all bodies to the hash.
+/// Adds one block, [begin, end).
+void add_motion(const Bodies& bodies, std::size_t begin, std::size_t end, Hasher& hasher);
+
+/// Adds position, orientation, velocity and spin of all bodies to the hash, block by block.
 void hash_motion(const Bodies& bodies, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -1,5 +1,7 @@
 #include "src/world/manifold_hashes.h"
 
+#include <algorithm>
+
 namespace tumble::sim {
 
 // No padding, on any machine.
@@ -21,15 +23,19 @@ void add_fields(const ManifoldPoint& point, Hasher& hasher) {
   hasher.add(std::uint64_t{point.feature});
 }
 
-void hash_manifold_points(const Scratch& scratch, Hasher& hasher) {
-  hasher.add_rows(std::span<const ManifoldPoint>(scratch.manifold_points),
-                  [](const ManifoldPoint& point, Hasher& to) { add_fields(point, to); });
+void add_manifolds(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, std::size_t begin,
+                   std::size_t end, Hasher& hasher) {
+  for (; begin < end; begin += kManifoldsABlock) {
+    const std::span<const Manifold> block = manifolds.subspan(begin, std::min(kManifoldsABlock, end - begin));
+    hasher.add_rows(block, [](const Manifold& m, Hasher& to) { add_fields(m, to); });
+    const Manifold &first = block.front(), &last = block.back();
+    hasher.add_rows(points.subspan(first.first, last.first + last.count - first.first),
+                    [](const ManifoldPoint& point, Hasher& to) { add_fields(point, to); });
+  }
 }
 
 void hash_manifolds(const Scratch& scratch, Hasher& hasher) {
-  hasher.add_rows(std::span<const Manifold>(scratch.manifolds),
-                  [](const Manifold& m, Hasher& to) { add_fields(m, to); });
-  hash_manifold_points(scratch, hasher);
+  add_manifolds(scratch.manifolds, scratch.manifold_points, 0, scratch.manifolds.size(), hasher);
 }
 
 }  // namespace tumble::sim

@@ -261,11 +261,11 @@ struct Scratch {
   LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time
   Workers* workers = nullptr;            ///< changes nothing but time; not owned
   LayerObserver* layers = nullptr;       ///< changes nothing; not owned; null: nobody looks
+  Hasher* hasher = nullptr;              ///< of the observer, while a phase may feed it (hash_on_the_way.h)
+  const Hasher* fed_hasher = nullptr;    ///< that the last phase has fed; both change nothing
 
-  std::uint32_t still_steps = 0;  ///< steps in a row without an input and without a body that could move
-
-  std::vector<Energy> energies;  ///< by body, at the end of a step; with workers
-
+  std::uint32_t still_steps = 0;        ///< steps in a row without an input and without a body that could move
+  std::vector<Energy> energies;         ///< by body, at the end of a step; with workers
   double removed_energy = 0;            ///< J, dissipated in this step; written by apply_outcomes
   std::vector<SavedMotion> saved;       ///< by depth of halving; written by step
   std::vector<BodyIndex> island_links;  ///< memory of Islands

@@ -64,6 +64,8 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_7_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
+                           "format_1.3_hashes_8_thesis",
+                           "format_1.3_hashes_8_layered",
                            "format_1.3_hashes_every_4_layered"}) {
     expect_frozen_session(name);
   }
@@ -99,18 +101,21 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_7_thesis", "format_1.3_hashes_7_layered"}) {
+  for (const char* name : {"format_1.3_hashes_8_thesis", "format_1.3_hashes_8_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }
 
-// Version 6 of the phase hashes covered what a batch kept from the step before.
-TEST(OlderLogs, OfPhaseHashesSixAreReplayedWithoutThem) {
-  for (const char* name : {"format_1.3_hashes_6_thesis", "format_1.3_methods_7_layered"}) {
+// Version 6 of the phase hashes covered what a batch kept from the step before, version 7 what phases leave as it was.
+TEST(OlderLogs, OfOlderPhaseHashesAreReplayedWithoutThem) {
+  const auto expect_note = [](const std::string& name, int version) {
     const std::vector<std::string> notes = notes_of_same_replay(name);
     ASSERT_EQ(notes.size(), 1U) << name;
-    EXPECT_TRUE(notes.front().starts_with("phase hashes: version 6 and 7")) << notes.front();
-  }
+    const std::string versions = "phase hashes: version " + std::to_string(version) + " and 8";
+    EXPECT_TRUE(notes.front().starts_with(versions)) << notes.front();
+  };
+  for (const char* name : {"format_1.3_hashes_6_thesis", "format_1.3_methods_7_layered"}) expect_note(name, 6);
+  for (const char* name : {"format_1.3_hashes_7_thesis", "format_1.3_hashes_7_layered"}) expect_note(name, 7);
 }
 
 // Up to format 1.2 phase hashes left out some of what a phase wrote.

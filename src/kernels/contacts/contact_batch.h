@@ -65,7 +65,8 @@ struct ContactBatch {
   Lanes friction, friction_dynamic, restitution;
   Lanes slop;  ///< m of overlap that is not removed
   Lanes force1, force2, twist;
-  Lanes sliding;           ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
+  Lanes sliding;   ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
+  Lanes absorbed;  ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
   Lanes impulse_magic;     ///< magic number (math/grid.h) of a grid that fits the lighter body
@@ -74,7 +75,6 @@ struct ContactBatch {
   Lanes friction_inverse[6];         ///< of the 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33
   Lanes response[6];                 ///< of (u, W1, W2) to the sums (S, Sq, Sp)
   Lanes relaxation;
-  Lanes absorbed;  ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
 };
 
 }  // namespace tumble::sim

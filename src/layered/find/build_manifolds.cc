@@ -11,6 +11,7 @@
 #include "src/layered/find/free_path.h"
 #include "src/layered/find/manifold_points.h"
 #include "src/layered/find/pair_tests.h"
+#include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
 namespace {
@@ -36,12 +37,14 @@ class Builder {
 
   // Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground, and lists
   // fast pairs instead.
-  void build(BodyIndex first, BodyIndex end) {
+  void build(BodyIndex first, BodyIndex end, Hasher* hasher) {
     const PairTable& pairs = state_.pairs;
     std::size_t k = pairs_before(pairs, first);
     PairTests tests(state_, scratch_, dt_, k, pairs_before(pairs, end));
     const std::size_t most = manifolds_max(bodies_.size());
+    ManifoldFeed feed(hasher);
     for (BodyIndex i = first; i < end && out_.manifolds.size() <= most; ++i) {
+      feed.add_whole_blocks(out_);
       for (; k < pairs.size() && pairs.a[k] == i; ++k) {
         const BodyIndex j = pairs.b[k];
         if (!bodies_.moves(i) && !bodies_.moves(j)) {
@@ -57,6 +60,7 @@ class Builder {
         ground(i);
       }
     }
+    feed.add_rest(out_);
   }
 
   // Builds the manifolds of those fast pairs that come together in the substep.
@@ -283,13 +287,9 @@ class Builder {
 
 }  // namespace
 
-std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(pairs.a, i) - pairs.a.begin());
-}
-
 void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
-                     ManifoldList& out) {
-  Builder(state, scratch, dt_s, state.contact_memory, first, out).build(first, end);
+                     ManifoldList& out, Hasher* hasher) {
+  Builder(state, scratch, dt_s, state.contact_memory, first, out).build(first, end, hasher);
 }
 
 void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "src/layered/find/free_path.h"
@@ -12,12 +13,15 @@ namespace tumble::sim {
 constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bodies; }
 
 /// The number of pairs before those of a body.
-std::size_t pairs_before(const PairTable& pairs, BodyIndex i);
+inline std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(pairs.a, i) - pairs.a.begin());
+}
 
 /// Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground, and lists fast
-/// pairs (FastContacts). Stops early beyond manifolds_max.
+/// pairs (FastContacts). Stops early beyond manifolds_max. Adds manifolds and points to the hasher as hash_manifolds
+/// would; null: does not.
 void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
-                     ManifoldList& out);
+                     ManifoldList& out, Hasher* hasher);
 
 /// Builds the manifolds of scratch.fast.pairs, from velocities and frames as they are. approaches: of these pairs in
 /// the substep; one that passes has no manifold.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/layered/find/build_manifolds.h"
+#include "src/world/hash_on_the_way.h"
 #include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
@@ -77,9 +78,14 @@ void join(Scratch& scratch, unsigned parts) {
   });
 }
 
+void add_fast_pairs(const Scratch& scratch, Hasher& hasher) {
+  for (const auto& [a, b] : scratch.fast.pairs) hasher.add(std::uint64_t{a} << 32U | b);
+}
+
 }  // namespace
 
 Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
+  Hasher* const hasher = take_hasher(scratch);
   const std::size_t work = state.pairs.size() + state.bodies.size();
   const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
@@ -88,7 +94,7 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   mark_held(state.contact_memory, scratch.workers, scratch.held);
   for_parts(scratch.workers, parts, [&](unsigned part) {
     build_manifolds(state, scratch, dt_s, first_body(state, part, parts), first_body(state, part + 1, parts),
-                    scratch.manifolds_by[part]);
+                    scratch.manifolds_by[part], hasher);
   });
   std::size_t found = 0;
   for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();
@@ -98,12 +104,13 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
                          " bodies; so many stand inside one another: set them farther apart");
   }
   join(scratch, parts);
+  if (hasher != nullptr) add_fast_pairs(scratch, *hasher);
   return {};
 }
 
 void hash_find_manifolds(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   hash_manifolds(scratch, hasher);
-  for (const auto& [a, b] : scratch.fast.pairs) hasher.add(std::uint64_t{a} << 32U | b);
+  add_fast_pairs(scratch, hasher);
 }
 
 }  // namespace tumble::sim

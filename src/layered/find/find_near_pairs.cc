@@ -4,14 +4,27 @@
 #include "src/collide/sweep.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/world/body_columns.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
+namespace {
+
+void add_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  const PairTable& pairs = state.pairs;
+  hasher.add(std::span<const BodyIndex>(pairs.a));
+  hasher.add(std::span<const BodyIndex>(pairs.b));
+  hasher.add(std::span<const std::uint16_t>(pairs.planes));
+  hasher.add(std::span<const double>(scratch.turning));
+}
+
+}  // namespace
 
 double falling_reach(const WorldDef& def, double dt_s) { return length(def.gravity) * dt_s * dt_s; }
 
 Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s) {
   const std::size_t n = state.bodies.size();
-  update_frames(state.bodies, scratch);
+  Hasher* const hasher = take_hasher(scratch);
+  update_frames(state.bodies, scratch, hasher);
   scratch.turning.resize(n);
   const BodyColumns bodies = columns_of(state.bodies);
   ReachColumns reach = {kContactSlack + falling_reach(state.def, dt_s), dt_s, scratch.turning.data(), {}, {}};
@@ -21,16 +34,13 @@ Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s) {
     kernels(scratch.lanes).bodies.expand_aabbs(bodies, {begin, end}, reach);
   });
   find_overlaps_in_strips(scratch, state.pairs);
+  if (hasher != nullptr) add_pairs(state, scratch, *hasher);
   return check_crowd(scratch);
 }
 
 void hash_find_near_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
-  const PairTable& pairs = state.pairs;
-  hasher.add(std::span<const BodyIndex>(pairs.a));
-  hasher.add(std::span<const BodyIndex>(pairs.b));
-  hasher.add(std::span<const std::uint16_t>(pairs.planes));
-  hasher.add(std::span<const double>(scratch.turning));
   hash_frames(scratch, hasher);
+  add_pairs(state, scratch, hasher);
 }
 
 }  // namespace tumble::sim

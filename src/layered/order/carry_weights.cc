@@ -12,7 +12,7 @@
 #include "src/layered/order/lend_inertia.h"
 #include "src/layered/order/load_fit.h"
 #include "src/math/grid.h"
-#include "src/world/manifold_hashes.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -280,7 +280,11 @@ Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
 void hash_carry_weights(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   hasher.add(std::span<const double>(scratch.solver_mass));
   hasher.add(doubles_of(scratch.lent_along));
-  hash_manifold_points(scratch, hasher);
+  GatheredNumbers numbers(hasher);
+  for (const ManifoldPoint& point : scratch.manifold_points) {
+    double* const of_point = numbers.next(2);
+    of_point[0] = point.impulse, of_point[1] = point.load;
+  }
 }
 
 }  // namespace tumble::sim

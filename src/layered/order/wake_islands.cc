@@ -52,6 +52,7 @@ void find_disturbed(WorldState& state, Scratch& scratch, double dt_s) {
 }  // namespace
 
 Status wake_islands(WorldState& state, Scratch& scratch, double dt_s) {
+  scratch.hasher = nullptr;  // find_manifolds would feed it with less than this phase writes
   find_disturbed(state, scratch, dt_s);
   const std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
   scratch.found_again = !disturbed.empty();

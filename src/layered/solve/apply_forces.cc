@@ -32,7 +32,7 @@ Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
 }
 
 void hash_apply_forces(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
-  hash_solver_bodies(scratch, hasher);
+  add_solver_velocities(scratch, hasher);
 }
 
 }  // namespace tumble::sim

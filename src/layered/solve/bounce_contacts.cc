@@ -1,21 +1,34 @@
 #include "src/layered/solve/bounce_contacts.h"
 
+#include <algorithm>
+
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
-#include "src/world/manifold_hashes.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
+namespace {
+
+// Adds the velocities if a contact may have bounced.
+void add_bounced(const Scratch& scratch, Hasher& hasher) {
+  const auto bounces = [](const ContactBatch& batch) { return batch.bounces; };
+  if (std::ranges::any_of(scratch.contact_batches.batches, bounces)) add_solver_velocities(scratch, hasher);
+}
+
+}  // namespace
 
 Status bounce_contacts(WorldState& /*state*/, Scratch& scratch, double dt_s) {
+  Hasher* const hasher = take_hasher(scratch);
   sweep_layers(scratch, Sweep::kRestitution, Direction::kUp, dt_s);
-  store_contacts(scratch);
+  if (hasher != nullptr) add_bounced(scratch, *hasher);
+  store_contacts(scratch, hasher);
   return {};
 }
 
 void hash_bounce_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
-  hash_solver_bodies(scratch, hasher);
-  hash_manifolds(scratch, hasher);
+  add_bounced(scratch, hasher);
+  add_stored_contacts(scratch, 0, scratch.layered.size(), hasher);
 }
 
 }  // namespace tumble::sim

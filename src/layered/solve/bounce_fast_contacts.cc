@@ -5,6 +5,7 @@
 #include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -35,8 +36,15 @@ Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double subs
 
 void hash_bounce_fast_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   if (scratch.fast.none()) return;
-  hash_solver_bodies(scratch, hasher);
-  hash_batches(scratch.fast.batches, hasher);
+  {
+    GatheredNumbers numbers(hasher);
+    for (const FastBody& of : scratch.fast.bodies) {
+      const SolverBody& body = scratch.solver_bodies[of.row];
+      numbers.add(body.velocity);
+      numbers.add(body.spin);
+    }
+  }
+  add_fast_batches(scratch, hasher);
 }
 
 }  // namespace tumble::sim

@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "src/math/grid.h"
+#include "src/world/hash_on_the_way.h"
+#include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
 namespace {
@@ -69,14 +71,29 @@ void mark_bounces(const ContactWork& work) {
   for (std::size_t k = 0; k < work.count; ++k) work.batches[k].bounces = bounces(work, work.batches[k]);
 }
 
-void store_contacts(Scratch& scratch) {
+void store_contacts(Scratch& scratch, Hasher* hasher) {
   const ContactBatches& all = scratch.contact_batches;
-  for_ranges(scratch.workers, scratch.layered.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+  const auto store = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = scratch.manifolds[scratch.layered[k]];
       store_contact(all, all.place[scratch.layered[k]], m, points_of(scratch, m));
     }
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, scratch.layered.size(), kManifoldsAPart, kManifoldsABlock, store,
+                    [&](std::size_t begin, std::size_t end) { add_stored_contacts(scratch, begin, end, *hasher); });
+}
+
+void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
+  GatheredNumbers numbers(hasher);
+  for (std::size_t k = begin; k < end; ++k) {
+    const Manifold& m = scratch.manifolds[scratch.layered[k]];
+    double* const of_manifold = numbers.next(3);
+    of_manifold[0] = m.force1, of_manifold[1] = m.force2, of_manifold[2] = m.twist;
+    for (const ManifoldPoint& point : points_of(scratch, m)) {
+      double* const of_point = numbers.next(2);
+      of_point[0] = point.impulse, of_point[1] = point.separation;
+    }
+  }
 }
 
 void store_fast_contacts(Scratch& scratch) {

@@ -2,6 +2,7 @@
 
 #include "src/kernels/contacts/contact_kernels.h"
 #include "src/world/scratch.h"
+#include "tumble/sim/hash.h"
 #include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
@@ -9,8 +10,10 @@ namespace tumble::sim {
 /// Marks the batches in which a point met fast enough to bounce. Reads each point's `approach`.
 void mark_bounces(const ContactWork& work);
 
-/// Copies impulses, friction and separations from the batches back to manifolds and points.
-void store_contacts(Scratch& scratch);
+/// Copies impulses, friction and separations from the batches back to manifolds and points; with a hasher, adds them.
+void store_contacts(Scratch& scratch, Hasher* hasher);
+/// Adds what store_contacts has copied to the manifolds [begin, end) of scratch.layered.
+void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher);
 void store_fast_contacts(Scratch& scratch);
 
 /// The data for the kernels: of all layers, of one layer of `all`, and of the batches [begin, end) of `work`.

@@ -13,6 +13,7 @@
 #include "src/layered/solve/solver_hashes.h"
 #include "src/math/grid.h"
 #include "src/world/free_flight.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -153,15 +154,17 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
 
 void hash_find_fast_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   if (scratch.fast.none()) return;
-  for (const FastBody& body : scratch.fast.bodies) {
+  {
     const Bodies& bodies = state.bodies;
-    for (const Vec3& v : {bodies.position[body.row], bodies.velocity[body.row], bodies.spin[body.row]}) {
-      hasher.add({v.x(), v.y(), v.z()});
+    GatheredNumbers numbers(hasher);
+    for (const FastBody& body : scratch.fast.bodies) {
+      for (const Vec3& v : {bodies.position[body.row], bodies.velocity[body.row], bodies.spin[body.row]})
+        numbers.add(v);
+      numbers.add(bodies.orientation[body.row]);
+      for (const double value : scratch.solver_bodies[body.row].inverse_inertia) *numbers.next(1) = value;
     }
-    const Quat q = bodies.orientation[body.row];
-    hasher.add({q.w, q.x, q.y, q.z});
   }
-  hash_batches(scratch.fast.batches, hasher);
+  add_fast_batches(scratch, hasher);
 }
 
 }  // namespace tumble::sim

@@ -5,6 +5,7 @@
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
 #include "src/world/free_flight.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -31,26 +32,7 @@ void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
   scratch.manifold_points.insert(scratch.manifold_points.end(), fast.found.points.begin(), fast.found.points.end());
 }
 
-}  // namespace
-
-Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
-  release_untouched(state, scratch);
-  const Bodies& bodies = state.bodies;
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-      if (scratch.in_contact[i] != 0) leave_contact(state, scratch, i, dt_s);
-    }
-    integrate_free(state, scratch.lanes, {begin, end}, scratch.in_contact.data(), dt_s);
-  });
-  if (Status ok = check_moving(state.bodies, scratch.lanes); !ok.ok()) return ok;
-  remember_contacts(scratch.manifolds, scratch.manifold_points, scratch.workers, state.contact_memory);
-  add_fast_contacts(scratch, state.contact_memory);
-  return {};
-}
-
-void hash_finish_motion(const WorldState& state, const Scratch& /*scratch*/, Hasher& hasher) {
-  hash_motion(state.bodies, hasher);
-  const ContactMemory& memory = state.contact_memory;
+void add_memory(const ContactMemory& memory, Hasher& hasher) {
   for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) {
     hasher.add(std::span<const std::uint32_t>(*column));
   }
@@ -58,6 +40,32 @@ void hash_finish_motion(const WorldState& state, const Scratch& /*scratch*/, Has
        {&memory.friction.x, &memory.friction.y, &memory.friction.z, &memory.twist, &memory.impulse}) {
     hasher.add(std::span<const double>(*column));
   }
+}
+
+}  // namespace
+
+Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
+  Hasher* const hasher = take_hasher(scratch);
+  release_untouched(state, scratch);
+  const Bodies& bodies = state.bodies;
+  const auto finish = [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (scratch.in_contact[i] != 0) leave_contact(state, scratch, i, dt_s);
+    }
+    integrate_free(state, scratch.lanes, {begin, end}, scratch.in_contact.data(), dt_s);
+  };
+  for_hashed_ranges(hasher, scratch.workers, bodies.size(), kBodiesAPart, kMotionsABlock, finish,
+                    [&](std::size_t begin, std::size_t end) { add_motion(bodies, begin, end, *hasher); });
+  if (Status ok = check_moving(state.bodies, scratch.lanes); !ok.ok()) return ok;
+  remember_contacts(scratch.manifolds, scratch.manifold_points, scratch.workers, state.contact_memory);
+  add_fast_contacts(scratch, state.contact_memory);
+  if (hasher != nullptr) add_memory(state.contact_memory, *hasher);
+  return {};
+}
+
+void hash_finish_motion(const WorldState& state, const Scratch& /*scratch*/, Hasher& hasher) {
+  hash_motion(state.bodies, hasher);
+  add_memory(state.contact_memory, hasher);
 }
 
 }  // namespace tumble::sim

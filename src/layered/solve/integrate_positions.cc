@@ -13,6 +13,7 @@
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
 #include "src/world/free_flight.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -104,36 +105,61 @@ Status check_moved(const Bodies& bodies, const Scratch& scratch) {
   return beyond(both, "velocity", body.velocity, kSubstepSpeedMax, "m/s");
 }
 
+// Adds where the bodies in contact have moved, and what turning has changed of their rows: the spin and the inertia of
+// a body with different moments of inertia, and the velocity of a body of a fast pair.
+void add_moved(const Bodies& bodies, const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
+  GatheredNumbers numbers(hasher);
+  for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+    if (scratch.in_contact[i] == 0) continue;
+    numbers.add(bodies.position[i]);
+    numbers.add(bodies.orientation[i]);
+    const Vec3 inertia = bodies.inertia[i];
+    const bool even = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+    if (!even || fast_body(scratch, i) != nullptr) numbers.add(doubles_of(scratch.solver_bodies, i, i + 1));
+  }
+}
+
 }  // namespace
 
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
+  Hasher* const hasher = take_hasher(scratch);
   const Bodies& bodies = state.bodies;
   if (!scratch.fast.none()) find_flying(scratch);
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto move_bodies = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
       if (!move(state, scratch, static_cast<BodyIndex>(i), substep_s)) scratch.in_contact[i] = kBeyond;
     }
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, bodies.size(), kBodiesAPart, kBodiesABlock, move_bodies,
+                    [&](std::size_t begin, std::size_t end) { add_moved(bodies, scratch, begin, end, *hasher); });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
   // impulse is several times smaller, and sweeps with the old response would diverge.
   const bool renews = has_hard(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
-  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto move_points = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
     if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, move_points,
+                    [&](std::size_t begin, std::size_t end) {
+                      add_separations(scratch.contact_batches, begin, end, renews, *hasher);
+                    });
   if (scratch.fast.none()) return {};
   kernels(scratch.lanes).contacts.move_on(fast_contacts(scratch, substep_s));
   kernels(scratch.lanes).contacts.renew(fast_contacts(scratch, substep_s));
+  if (hasher != nullptr) add_fast_batches(scratch, *hasher);
   return {};
 }
 
 void hash_integrate_positions(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
-  hash_places(state.bodies, hasher);
-  hash_moved(state.bodies, scratch, hasher);
-  if (has_hard(scratch)) hash_prepared(scratch, hasher);
+  const ContactBatches& all = scratch.contact_batches;
+  add_moved(state.bodies, scratch, 0, state.bodies.size(), hasher);
+  for (std::size_t k = 0; k < all.batches.size(); k += kBatchesABlock) {
+    add_separations(all, k, std::min(k + kBatchesABlock, all.batches.size()), has_hard(scratch), hasher);
+  }
+  if (!scratch.fast.none()) add_fast_batches(scratch, hasher);
 }
 
 }  // namespace tumble::sim

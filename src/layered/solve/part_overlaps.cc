@@ -10,7 +10,7 @@
 #include "src/layered/solve/sweep_layers.h"
 #include "src/math/grid.h"
 #include "src/math/half_turn.h"
-#include "src/world/body_check.h"
+#include "src/world/hash_on_the_way.h"
 #include "src/world/lift_cost.h"
 
 namespace tumble::sim {
@@ -53,15 +53,19 @@ void exchange(Scratch& scratch, Exchange when) {
   });
 }
 
-void solve(Scratch& scratch, ContactWork work, double deepest) {
+void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
   scratch.overlaps.velocity.resize(scratch.solver_bodies.size());
   scratch.overlaps.spin.resize(scratch.solver_bodies.size());
   exchange(scratch, Exchange::kBefore);
   work.push_part = kPart;
   sweep_overlaps(scratch, work, more_sweeps(deepest));
-  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto move_on = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, move_on,
+                    [&](std::size_t begin, std::size_t end) {
+                      add_separations(scratch.contact_batches, begin, end, false, *hasher);
+                    });
   exchange(scratch, Exchange::kAfter);
 }
 
@@ -89,9 +93,24 @@ void move(WorldState& state, SolverBody& body, BodyIndex i, const OverlapScratch
   }
 }
 
+// Adds the bodies that part: their rows, where they part to, and what that takes from their motion.
+void add_parting(const WorldState& state, const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
+  const OverlapScratch& parting = scratch.overlaps;
+  GatheredNumbers numbers(hasher);
+  for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+    if (parting.velocity[i] == Vec3::Zero() && parting.spin[i] == Vec3::Zero()) continue;
+    *numbers.next(1) = static_cast<double>(i);
+    numbers.add(state.bodies.position[i]);
+    numbers.add(state.bodies.orientation[i]);
+    const SolverBody& body = scratch.solver_bodies[i];
+    for (const Vec3* const v : {&parting.velocity[i], &parting.spin[i], &body.velocity, &body.spin}) numbers.add(*v);
+  }
+}
+
 }  // namespace
 
 Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
+  Hasher* const hasher = take_hasher(scratch);
   OverlapScratch& own = scratch.overlaps;
   const double deepest = find_overlaps(scratch, all_contacts(scratch, dt_s));
   own.any = deepest > 0;
@@ -99,21 +118,21 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   own.velocity.reserve(scratch.solver_bodies.capacity());
   own.spin.reserve(scratch.solver_bodies.capacity());
   if (!own.any) return {};
-  solve(scratch, all_contacts(scratch, dt_s), deepest);
-  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  solve(scratch, all_contacts(scratch, dt_s), deepest, hasher);
+  const auto move_bodies = [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       move(state, scratch.solver_bodies[i], i, own, dt_s);
     }
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, state.bodies.size(), kBodiesAPart, kBodiesABlock, move_bodies,
+                    [&](std::size_t begin, std::size_t end) { add_parting(state, scratch, begin, end, *hasher); });
   return {};
 }
 
 void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   if (!scratch.overlaps.any) return;
-  hash_places(state.bodies, hasher);
-  hash_parting_bodies(scratch, hasher);
-  hash_solver_bodies(scratch, hasher);
-  hash_moved(state.bodies, scratch, hasher);
+  add_separations(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), false, hasher);
+  add_parting(state, scratch, 0, state.bodies.size(), hasher);
 }
 
 }  // namespace tumble::sim

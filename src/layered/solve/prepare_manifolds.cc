@@ -7,6 +7,7 @@
 #include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {
@@ -23,17 +24,20 @@ SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i
   return body;
 }
 
-void prepare_bodies(WorldState& state, Scratch& scratch) {
+// Needs in_contact where the bodies are hashed.
+void prepare_bodies(WorldState& state, Scratch& scratch, Hasher* hasher) {
   const Bodies& bodies = state.bodies;
   const std::size_t n = bodies.size();
   scratch.solver_bodies.resize(n + 1);
   scratch.solver_bodies[n] = {};
   scratch.visits.moved.assign(n + 1, 0);
-  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto prepare = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
     }
-  });
+  };
+  for_hashed_ranges(hasher, scratch.workers, n, kBodiesAPart, kBodiesABlock, prepare,
+                    [&](std::size_t begin, std::size_t end) { add_solver_bodies(scratch, begin, end, *hasher); });
 }
 
 void find_in_contact(WorldState& state, Scratch& scratch) {
@@ -46,26 +50,39 @@ void find_in_contact(WorldState& state, Scratch& scratch) {
   });
 }
 
+// Which bodies are in contact, and which manifold is where.
+void add_places(const Scratch& scratch, Hasher& hasher) {
+  hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
+  hasher.add(std::span<const std::uint32_t>(scratch.contact_batches.order));
+}
+
 }  // namespace
 
 Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.visits.now = 0;
   scratch.visits.still = kStillPart * length(state.def.gravity) * dt_s;
-  prepare_bodies(state, scratch);
+  Hasher* const hasher = take_hasher(scratch);
   find_in_contact(state, scratch);
   list_fast_bodies(state, scratch);
+  prepare_bodies(state, scratch, hasher);
   batch_contacts(state, scratch);
+  if (hasher != nullptr) add_places(scratch, *hasher);
   const ContactWork work = all_contacts(scratch, dt_s);
-  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto prepare = [&](std::size_t begin, std::size_t end) {
     const ContactWork part = part_of(work, begin, end);
     kernels(scratch.lanes).contacts.prepare(part);
     mark_bounces(part);
-  });
+  };
+  for_hashed_ranges(
+      hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, prepare,
+      [&](std::size_t begin, std::size_t end) { add_batches(scratch.contact_batches, begin, end, *hasher); });
   return {};
 }
 
 void hash_prepare_manifolds(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
-  hash_prepared(scratch, hasher);
+  add_solver_bodies(scratch, 0, scratch.in_contact.size(), hasher);
+  add_places(scratch, hasher);
+  add_batches(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), hasher);
 }
 
 }  // namespace tumble::sim

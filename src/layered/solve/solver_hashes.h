@@ -1,29 +1,33 @@
 #pragma once
 
+#include <cstddef>
+
 #include "src/world/scratch.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/world_state.h"
 
-/// Hashes of the solver's memory, for the phases of method layered. Contacts are hashed as they lie in the batches,
-/// which are alike for every lane width; sleeping contacts are in no batch.
+/// Hashes of the solver's memory, for the phases of method layered. Bodies without contact are left out: the solver
+/// does not move them, and nothing reads their rows. Contacts are hashed as they lie in the batches, which are alike
+/// for every lane width; sleeping contacts are in no batch. Ranges are of rows, or of batches; a sequence of ranges
+/// adds what the range of all would.
 namespace tumble::sim {
 
-/// Adds every field that prepare_manifolds computes, and three that it copies: points, friction and restitution.
-void hash_prepared(const Scratch& scratch, Hasher& hasher);
+/// Adds the solver's bodies that are in contact with all that prepare_manifolds computes: velocities, masses, inertias.
+void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher);
 
-/// Adds the solver's bodies: velocities, masses and inertias.
-void hash_solver_bodies(const Scratch& scratch, Hasher& hasher);
+/// Adds the velocities of the solver's bodies that are in contact.
+void add_solver_velocities(const Scratch& scratch, Hasher& hasher);
 
-/// Adds them with the motion of parting (OverlapScratch) instead of theirs.
-void hash_parting_bodies(const Scratch& scratch, Hasher& hasher);
+/// Adds every field of batches that `prepare` computes, and three that were copied: points, friction and restitution.
+void add_batches(const ContactBatches& all, std::size_t begin, std::size_t end, Hasher& hasher);
+
+/// Adds the batches of fast pairs, in their order, with all that find_fast_contacts and its sweeps write.
+void add_fast_batches(const Scratch& scratch, Hasher& hasher);
 
 /// Adds the results of a sweep: impulses and the velocities of the solver's bodies.
 void hash_solution(const Scratch& scratch, Hasher& hasher);
 
-/// Adds the separations of points, and the solver's bodies if any of them has different moments of inertia: the spin of
-/// such a body changes while the body turns.
-/// The batches of a step or substep.
-void hash_batches(const ContactBatches& all, Hasher& hasher);
-void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher);
+/// Adds the separations of points and, of hard batches with `renewed`, all that add_batches adds.
+void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "src/base/workers.h"
+#include "src/world/scratch.h"
+#include "tumble/sim/hash.h"
+
+/// What a phase writes is hashed block by block right after it is computed, while its lines lie in the nearest cache;
+/// read again at the end of the phase, the same bytes take three times as long and push others out of the caches.
+namespace tumble::sim {
+
+/// Bodies and batches of manifolds that are computed and then hashed at a time: some kB.
+inline constexpr std::size_t kBodiesABlock = 64, kBatchesABlock = 2;
+
+/// Takes the hasher of a phase that feeds it all that its hash function would, in that order; null: nobody asks, or
+/// several workers write, and the hash function is called when the phase is done.
+inline Hasher* take_hasher(Scratch& scratch) {
+  scratch.fed_hasher = scratch.hasher;
+  return scratch.hasher;
+}
+
+/// As for_ranges; with a hasher, one block after the other, each followed by hash(begin, end).
+template <class Visit, class Hash>
+void for_hashed_ranges(Hasher* hasher, Workers* workers, std::size_t n, std::size_t least, std::size_t block,
+                       Visit visit, Hash hash) {
+  if (hasher == nullptr) return for_ranges(workers, n, least, visit);
+  for (std::size_t begin = 0; begin < n; begin += block) {
+    const std::size_t end = std::min(begin + block, n);
+    visit(begin, end);
+    hash(begin, end);
+  }
+}
+
+/// Numbers that lie apart, gathered for a hasher. Adds all of them at the latest when it ends.
+class GatheredNumbers {
+ public:
+  explicit GatheredNumbers(Hasher& hasher) : hasher_(hasher) {}
+  ~GatheredNumbers() { pass_on(); }
+  GatheredNumbers(const GatheredNumbers&) = delete;
+  GatheredNumbers& operator=(const GatheredNumbers&) = delete;
+
+  /// The place of the next `count` numbers, at most 32.
+  double* next(std::size_t count) {
+    if (count_ + count > kMost) pass_on();
+    return numbers_ + (count_ += count) - count;
+  }
+  /// Many numbers that lie together.
+  void add(std::span<const double> numbers) {
+    pass_on();
+    hasher_.add(numbers);
+  }
+  void add(const Vec3& v) {
+    double* const to = next(3);
+    for (int k = 0; k < 3; ++k) to[k] = v[k];
+  }
+  void add(const Quat& q) {
+    double* const to = next(4);
+    to[0] = q.w, to[1] = q.x, to[2] = q.y, to[3] = q.z;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 512;  // 4 kB
+
+  void pass_on() {
+    if (count_ > 0) hasher_.add(std::span<const double>(numbers_, count_));
+    count_ = 0;
+  }
+
+  Hasher& hasher_;
+  std::size_t count_ = 0;
+  alignas(64) double numbers_[kMost];
+};
+
+}  // namespace tumble::sim
