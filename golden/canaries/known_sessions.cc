@@ -30,6 +30,7 @@ constexpr std::uint64_t kScenes = 6;
 
 std::vector<CanaryResult> run_known_sessions() {
   std::vector<CanaryResult> results;
+  results.reserve(kWays.size());
   for (const Way& way : kWays) results.push_back({way.name, true, "as known", way.about});
   for (std::uint64_t number = 0; number < kScenes; ++number) {
     const Result<hunt::Trace> trace = hunt::trace(hunt::random_scene(kSeed, number));
