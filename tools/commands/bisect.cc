@@ -250,8 +250,8 @@ Action declare_bisect(Arguments& arguments) {
   arguments.footer(
       "docs/bisecting.md explains it. Revisions that do not build or cannot read the log are skipped. The clone's own\n"
       "files, index and branches are not touched.\n\n"
-      "Exit status: 0 two logs are identical, 1 they differ, or the commit was found, 4 interrupted, or the\n"
-      "remaining commits could not be asked.\n\n"
+      "Exit status: 0 two logs are identical; 1 they differ, or the commit was found; 2 bad usage, or both revisions\n"
+      "answer alike; 3 a damaged log; 4 interrupted, or the remaining commits could not be asked.\n\n"
       "Examples:\n"
       "  tumble bisect before.tumble after.tumble\n"
       "  tumble bisect --good v0.1 --bad main wall.tumble\n"

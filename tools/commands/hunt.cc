@@ -29,6 +29,7 @@ namespace {
 
 constexpr double kStartPatience = 60;  // s
 constexpr std::uint64_t kNumberMax = 1'000'000'000'000;
+constexpr std::uint64_t kHuntsAtOnceMax = 256;
 
 struct HuntCommand {
   std::optional<std::uint64_t> seed, count, threads, print, shrink;
@@ -197,7 +198,8 @@ Action declare_hunt(Arguments& arguments) {
       "shards into it; may be repeated");
   const Argument judge =
       arguments.option("--judge", "DIR", options->judge, "Hunt nothing; judge the scenes DIR/*.toml");
-  arguments.threads(options->threads);
+  arguments.whole("--threads", "N", options->threads, 1, kHuntsAtOnceMax,
+                  "Scenes judged at once, one for each processor if not given; what is found does not depend on it");
   const Argument print =
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
   arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
@@ -213,13 +215,17 @@ Action declare_hunt(Arguments& arguments) {
     merge.excludes(other);
   arguments.json(options->json);
   arguments.footer(
-      "Exit status: 0 no scene broke a relation, 1 findings, 2 bad usage or a folder of another hunt, 4 could not\n"
-      "finish or was interrupted; the folder then holds what was judged.\n\n"
+      "Exit status: 0 no scene broke a relation, of an engine none that it claims; 1 findings; 2 bad usage, a folder\n"
+      "of another hunt, or a shard that is missing, there twice or not at its end; 3 a damaged folder or shard;\n"
+      "4 could not finish or was interrupted; the folder then holds what was judged.\n\n"
       "Examples:\n"
       "  tumble hunt --time 600 --folder hunt\n"
       "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
       "  tumble hunt --seed 7 --print 123 >scene.toml\n"
-      "  tumble hunt --time 60 --corpus corpus && tumble hunt --judge corpus");
+      "  tumble hunt --count 500 --against old/tumble\n"
+      "  tumble hunt --time 60 --corpus corpus && tumble hunt --judge corpus\n"
+      "  tumble hunt --count 20000 --shard 1/4 --folder hunt-1\n"
+      "  tumble hunt --merge hunt-1 --merge hunt-2 --merge hunt-3 --merge hunt-4 --folder hunt");
   return [options] { return hunt_for(*options); };
 }
 
