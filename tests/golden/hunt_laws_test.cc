@@ -187,6 +187,24 @@ TEST(HuntLaws, SeeGhostsBesideAFlight) {
   expect_broken("halved", tampered(kFlight, 10, [](sim::Bodies& b) { b.position.y[0] += 1e-6; }), 30);
 }
 
+// Weak gravity gives a crate so little speed that freezing stops it, which is no friction of Coulomb's.
+TEST(HuntLaws, LeaveACrateToFreezing) {
+  const std::string slow =
+      "[world]\nsteps = 120\ngravity = [0.005, 0.0, -0.009]\n[material]\nfriction = 0.2\n[[box]]\n"
+      "size = [2.0, 2.0, 0.5]\nposition = [0.0, 0.0, 0.25]\n";
+  const Trace trace = traced(slow.c_str());
+  ASSERT_EQ(trace.states.back().bodies.frozen[0], 1);
+  EXPECT_EQ(judge("slope", trace).outcome, Outcome::kHeld) << judge("slope", trace).what;
+  expect_broken("slope", tampered(slow.c_str(), 20, [](sim::Bodies& b) { b.position.x[0] += 0.2; }), 20);
+  // A fast one must not stop.
+  Trace fast = traced(kCrate);
+  for (std::size_t k = 40; k < fast.states.size(); ++k) {
+    fast.states[k].bodies = fast.states[39].bodies;
+    fast.states[k].bodies.frozen[0] = 1;
+  }
+  EXPECT_EQ(judge("slope", fast).outcome, Outcome::kBroken);
+}
+
 TEST(HuntLaws, SeeWhatDepartsFromItsFormula) {
   expect_broken("slope", tampered(kCrate, 40, [](sim::Bodies& b) { b.position.x[0] += 0.2; }), 40);
   expect_broken("standing", tampered(kTower, 20, [](sim::Bodies& b) { b.position.x[1] += 0.01; }), 20);

@@ -99,6 +99,9 @@ Judgement judge_slope(const Trace& trace) {
     time += trace.steps[k].dt;
     const double moving = gain < 0 ? std::min(time, -speed / gain) : time;
     const bool rests = gain < 0 && moving < time;
+    // Freezing takes a crate this slow to be at rest, whatever the slope (docs/scenes.md).
+    const double pace = stays || rests ? 0 : speed + gain * moving;
+    if (trace.after(k).bodies.frozen[0] != 0 && pace > 0 && 0.5 * pace * pace < scene.world.freeze_energy) break;
     const double metres = stays ? 0 : speed * moving + 0.5 * gain * moving * moving;
     const Vec3 off = trace.after(k).bodies.position[0] - trace.states[0].bodies.position[0] - along * (metres / down);
     worst.add(k + 1, scene.boxes[0].id, length(off),
