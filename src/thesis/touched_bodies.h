@@ -9,7 +9,7 @@ namespace tumble::sim {
 /// others. add(numbers, body) adds those of one body.
 template <class Add>
 void add_touched(const Scratch& scratch, Hasher& hasher, Add add) {
-  GatheredNumbers numbers(hasher);
+  GatheredNumbers numbers(&hasher);
   for (BodyIndex i = 0; i < scratch.touched.size(); ++i) {
     if (scratch.touched[i] != 0) add(numbers, i);
   }

@@ -78,7 +78,7 @@ Status check_gains_closely(const Bodies& bodies, BodyIndex i, double total) {
 }
 
 void hash_frozen_velocities(const Bodies& bodies, Hasher& hasher) {
-  GatheredNumbers numbers(hasher);
+  GatheredNumbers numbers(&hasher);
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (bodies.frozen[i] == 0) continue;
     numbers.add(Vec3(bodies.velocity[i]));

@@ -34,23 +34,26 @@ void for_hashed_ranges(Hasher* hasher, Workers* workers, std::size_t n, std::siz
   }
 }
 
-/// Numbers that lie apart, gathered for a hasher. Adds all of them at the latest when it ends.
+/// Numbers that lie apart, gathered for a hasher. They reach it at the latest when the object ends, and before that in
+/// order only if nothing else is added meanwhile. Two buffers take turns, since a number that is read right after it
+/// was written waits for all that was written before.
 class GatheredNumbers {
  public:
-  explicit GatheredNumbers(Hasher& hasher) : hasher_(hasher) {}
+  /// Without a hasher nothing may be added.
+  explicit GatheredNumbers(Hasher* hasher) : hasher_(hasher) {}
   ~GatheredNumbers() { pass_on(); }
   GatheredNumbers(const GatheredNumbers&) = delete;
   GatheredNumbers& operator=(const GatheredNumbers&) = delete;
 
   /// The place of the next `count` numbers, at most 32.
   double* next(std::size_t count) {
-    if (count_ + count > kMost) pass_on();
-    return numbers_ + (count_ += count) - count;
+    if (count_ + count > kMost) take_turns();
+    return numbers_[now_] + (count_ += count) - count;
   }
   /// Many numbers that lie together.
   void add(std::span<const double> numbers) {
     pass_on();
-    hasher_.add(numbers);
+    hasher_->add(numbers);
   }
   void add(const Vec3& v) {
     double* const to = next(3);
@@ -60,18 +63,27 @@ class GatheredNumbers {
     double* const to = next(4);
     to[0] = q.w, to[1] = q.x, to[2] = q.y, to[3] = q.z;
   }
+  /// The hasher then has all.
+  void pass_on() {
+    take_turns();
+    take_turns();
+  }
 
  private:
-  static constexpr std::size_t kMost = 512;  // 4 kB
+  static constexpr std::size_t kMost = 256;  // 2 kB
 
-  void pass_on() {
-    if (count_ > 0) hasher_.add(std::span<const double>(numbers_, count_));
+  // Passes on the older numbers, which leaves their buffer for the next ones.
+  void take_turns() {
+    now_ = 1 - now_;
+    if (older_ > 0) hasher_->add(std::span<const double>(numbers_[now_], older_));
+    older_ = count_;
     count_ = 0;
   }
 
-  Hasher& hasher_;
-  std::size_t count_ = 0;
-  alignas(64) double numbers_[kMost];
+  Hasher* hasher_;
+  unsigned now_ = 0;                   // the buffer of the next number
+  std::size_t count_ = 0, older_ = 0;  // in it; in the other one
+  alignas(64) double numbers_[2][kMost];
 };
 
 }  // namespace tumble::sim

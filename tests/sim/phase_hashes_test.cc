@@ -226,6 +226,25 @@ TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
   changer.expect_all_tried();
 }
 
+// Masses of a hard island's contacts are computed anew when its bars have turned.
+TEST(PhaseHashes, CoverMassesThatTurningRenews) {
+  const auto hard = [](World& world) -> ContactBatch& {
+    std::vector<ContactBatch>& all = world.mutable_scratch().contact_batches.batches;
+    return *std::ranges::find_if(all, [](const ContactBatch& batch) { return batch.hard; });
+  };
+  SceneDef scene = test::plates_and_bars(12, 5);
+  scene.world.method = Method::kLayered;
+  World world = test::made(scene);
+  for (int k = 0; k < 60; ++k) advance(world);
+  Changer changer({
+      {"integrate_positions", "response", [=](World& w) { lane(hard(w).response[5]) += 1; }},
+      {"integrate_positions", "mass",
+       [=](World& w) { lane(w.mutable_scratch().contact_batches.points[hard(w).first].mass) += 1; }},
+  });
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
 // Bodies that fall asleep are stopped.
 TEST(PhaseHashes, CoverWhatFallingAsleepWrites) {
   for (const Method method : {Method::kThesis, Method::kLayered}) {

@@ -280,7 +280,7 @@ Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
 void hash_carry_weights(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   hasher.add(std::span<const double>(scratch.solver_mass));
   hasher.add(doubles_of(scratch.lent_along));
-  GatheredNumbers numbers(hasher);
+  GatheredNumbers numbers(&hasher);
   for (const ManifoldPoint& point : scratch.manifold_points) {
     double* const of_point = numbers.next(2);
     of_point[0] = point.impulse, of_point[1] = point.load;

@@ -28,7 +28,8 @@ Status bounce_contacts(WorldState& /*state*/, Scratch& scratch, double dt_s) {
 
 void hash_bounce_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   add_bounced(scratch, hasher);
-  add_stored_contacts(scratch, 0, scratch.layered.size(), hasher);
+  GatheredNumbers numbers(&hasher);
+  add_stored_contacts(scratch, 0, scratch.layered.size(), numbers);
 }
 
 }  // namespace tumble::sim

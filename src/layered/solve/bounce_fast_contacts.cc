@@ -37,7 +37,7 @@ Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double subs
 void hash_bounce_fast_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   if (scratch.fast.none()) return;
   {
-    GatheredNumbers numbers(hasher);
+    GatheredNumbers numbers(&hasher);
     for (const FastBody& of : scratch.fast.bodies) {
       const SolverBody& body = scratch.solver_bodies[of.row];
       numbers.add(body.velocity);

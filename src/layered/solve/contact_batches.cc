@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "src/math/grid.h"
-#include "src/world/hash_on_the_way.h"
 #include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
@@ -79,12 +78,12 @@ void store_contacts(Scratch& scratch, Hasher* hasher) {
       store_contact(all, all.place[scratch.layered[k]], m, points_of(scratch, m));
     }
   };
+  GatheredNumbers numbers(hasher);
   for_hashed_ranges(hasher, scratch.workers, scratch.layered.size(), kManifoldsAPart, kManifoldsABlock, store,
-                    [&](std::size_t begin, std::size_t end) { add_stored_contacts(scratch, begin, end, *hasher); });
+                    [&](std::size_t begin, std::size_t end) { add_stored_contacts(scratch, begin, end, numbers); });
 }
 
-void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
-  GatheredNumbers numbers(hasher);
+void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers) {
   for (std::size_t k = begin; k < end; ++k) {
     const Manifold& m = scratch.manifolds[scratch.layered[k]];
     double* const of_manifold = numbers.next(3);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/kernels/contacts/contact_kernels.h"
+#include "src/world/hash_on_the_way.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/world_state.h"
@@ -13,7 +14,7 @@ void mark_bounces(const ContactWork& work);
 /// Copies impulses, friction and separations from the batches back to manifolds and points; with a hasher, adds them.
 void store_contacts(Scratch& scratch, Hasher* hasher);
 /// Adds what store_contacts has copied to the manifolds [begin, end) of scratch.layered.
-void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher);
+void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 void store_fast_contacts(Scratch& scratch);
 
 /// The data for the kernels: of all layers, of one layer of `all`, and of the batches [begin, end) of `work`.

@@ -156,7 +156,7 @@ void hash_find_fast_contacts(const WorldState& state, const Scratch& scratch, Ha
   if (scratch.fast.none()) return;
   {
     const Bodies& bodies = state.bodies;
-    GatheredNumbers numbers(hasher);
+    GatheredNumbers numbers(&hasher);
     for (const FastBody& body : scratch.fast.bodies) {
       for (const Vec3& v : {bodies.position[body.row], bodies.velocity[body.row], bodies.spin[body.row]})
         numbers.add(v);

@@ -107,8 +107,8 @@ Status check_moved(const Bodies& bodies, const Scratch& scratch) {
 
 // Adds where the bodies in contact have moved, and what turning has changed of their rows: the spin and the inertia of
 // a body with different moments of inertia, and the velocity of a body of a fast pair.
-void add_moved(const Bodies& bodies, const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
-  GatheredNumbers numbers(hasher);
+void add_moved(const Bodies& bodies, const Scratch& scratch, std::size_t begin, std::size_t end,
+               GatheredNumbers& numbers) {
   for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
     if (scratch.in_contact[i] == 0) continue;
     numbers.add(bodies.position[i]);
@@ -131,8 +131,9 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
       if (!move(state, scratch, static_cast<BodyIndex>(i), substep_s)) scratch.in_contact[i] = kBeyond;
     }
   };
+  GatheredNumbers numbers(hasher);
   for_hashed_ranges(hasher, scratch.workers, bodies.size(), kBodiesAPart, kBodiesABlock, move_bodies,
-                    [&](std::size_t begin, std::size_t end) { add_moved(bodies, scratch, begin, end, *hasher); });
+                    [&](std::size_t begin, std::size_t end) { add_moved(bodies, scratch, begin, end, numbers); });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
   // impulse is several times smaller, and sweeps with the old response would diverge.
@@ -144,8 +145,9 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
   };
   for_hashed_ranges(hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, move_points,
                     [&](std::size_t begin, std::size_t end) {
-                      add_separations(scratch.contact_batches, begin, end, renews, *hasher);
+                      add_separations(scratch.contact_batches, begin, end, renews, numbers);
                     });
+  numbers.pass_on();
   if (scratch.fast.none()) return {};
   kernels(scratch.lanes).contacts.move_on(fast_contacts(scratch, substep_s));
   kernels(scratch.lanes).contacts.renew(fast_contacts(scratch, substep_s));
@@ -155,10 +157,12 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
 
 void hash_integrate_positions(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   const ContactBatches& all = scratch.contact_batches;
-  add_moved(state.bodies, scratch, 0, state.bodies.size(), hasher);
+  GatheredNumbers numbers(&hasher);
+  add_moved(state.bodies, scratch, 0, state.bodies.size(), numbers);
   for (std::size_t k = 0; k < all.batches.size(); k += kBatchesABlock) {
-    add_separations(all, k, std::min(k + kBatchesABlock, all.batches.size()), has_hard(scratch), hasher);
+    add_separations(all, k, std::min(k + kBatchesABlock, all.batches.size()), has_hard(scratch), numbers);
   }
+  numbers.pass_on();
   if (!scratch.fast.none()) add_fast_batches(scratch, hasher);
 }
 

@@ -62,9 +62,10 @@ void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
   const auto move_on = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
   };
+  GatheredNumbers numbers(hasher);
   for_hashed_ranges(hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, move_on,
                     [&](std::size_t begin, std::size_t end) {
-                      add_separations(scratch.contact_batches, begin, end, false, *hasher);
+                      add_separations(scratch.contact_batches, begin, end, false, numbers);
                     });
   exchange(scratch, Exchange::kAfter);
 }
@@ -94,9 +95,9 @@ void move(WorldState& state, SolverBody& body, BodyIndex i, const OverlapScratch
 }
 
 // Adds the bodies that part: their rows, where they part to, and what that takes from their motion.
-void add_parting(const WorldState& state, const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
+void add_parting(const WorldState& state, const Scratch& scratch, std::size_t begin, std::size_t end,
+                 GatheredNumbers& numbers) {
   const OverlapScratch& parting = scratch.overlaps;
-  GatheredNumbers numbers(hasher);
   for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
     if (parting.velocity[i] == Vec3::Zero() && parting.spin[i] == Vec3::Zero()) continue;
     *numbers.next(1) = static_cast<double>(i);
@@ -124,15 +125,17 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
       move(state, scratch.solver_bodies[i], i, own, dt_s);
     }
   };
+  GatheredNumbers numbers(hasher);
   for_hashed_ranges(hasher, scratch.workers, state.bodies.size(), kBodiesAPart, kBodiesABlock, move_bodies,
-                    [&](std::size_t begin, std::size_t end) { add_parting(state, scratch, begin, end, *hasher); });
+                    [&](std::size_t begin, std::size_t end) { add_parting(state, scratch, begin, end, numbers); });
   return {};
 }
 
 void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   if (!scratch.overlaps.any) return;
-  add_separations(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), false, hasher);
-  add_parting(state, scratch, 0, state.bodies.size(), hasher);
+  GatheredNumbers numbers(&hasher);
+  add_separations(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), false, numbers);
+  add_parting(state, scratch, 0, state.bodies.size(), numbers);
 }
 
 }  // namespace tumble::sim

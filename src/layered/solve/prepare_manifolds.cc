@@ -36,8 +36,9 @@ void prepare_bodies(WorldState& state, Scratch& scratch, Hasher* hasher) {
       scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
     }
   };
+  GatheredNumbers numbers(hasher);
   for_hashed_ranges(hasher, scratch.workers, n, kBodiesAPart, kBodiesABlock, prepare,
-                    [&](std::size_t begin, std::size_t end) { add_solver_bodies(scratch, begin, end, *hasher); });
+                    [&](std::size_t begin, std::size_t end) { add_solver_bodies(scratch, begin, end, numbers); });
 }
 
 void find_in_contact(WorldState& state, Scratch& scratch) {
@@ -80,7 +81,9 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
 }
 
 void hash_prepare_manifolds(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
-  add_solver_bodies(scratch, 0, scratch.in_contact.size(), hasher);
+  GatheredNumbers numbers(&hasher);
+  add_solver_bodies(scratch, 0, scratch.in_contact.size(), numbers);
+  numbers.pass_on();
   add_places(scratch, hasher);
   add_batches(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), hasher);
 }

@@ -5,8 +5,6 @@
 #include <cstring>
 #include <span>
 
-#include "src/world/hash_on_the_way.h"
-
 namespace tumble::sim {
 namespace {
 
@@ -52,8 +50,7 @@ void add_batch(const ContactBatches& all, const ContactBatch& batch, Hasher& has
 
 }  // namespace
 
-void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher) {
-  GatheredNumbers numbers(hasher);
+void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers) {
   constexpr std::size_t kOfBody = sizeof(SolverBody) / sizeof(double);
   for (std::size_t i = begin; i < end; ++i) {
     if (scratch.in_contact[i] == 0) continue;
@@ -63,10 +60,11 @@ void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t en
 
 void add_solver_velocities(const Scratch& scratch, Hasher& hasher) {
   constexpr std::size_t kAhead = 32;
-  GatheredNumbers numbers(hasher);
+  GatheredNumbers numbers(&hasher);
   const std::size_t n = scratch.in_contact.size();
   for (std::size_t i = 0; i < n; ++i) {
-    __builtin_prefetch(scratch.solver_bodies.data() + std::min(i + kAhead, n));
+    const std::size_t ahead = std::min(i + kAhead, n - 1);
+    __builtin_prefetch(&scratch.solver_bodies[scratch.in_contact[ahead] != 0 ? ahead : n]);
     if (scratch.in_contact[i] == 0) continue;
     std::memcpy(numbers.next(6), &scratch.solver_bodies[i], 6 * sizeof(double));
   }
@@ -90,8 +88,8 @@ void hash_solution(const Scratch& scratch, Hasher& hasher) {
   if (!scratch.fast.none()) add_fast_batches(scratch, hasher);
 }
 
-void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed, Hasher& hasher) {
-  GatheredNumbers numbers(hasher);
+void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed,
+                     GatheredNumbers& numbers) {
   for (std::size_t k = begin; k < end; ++k) {
     const ContactBatch& batch = all.batches[k];
     for (std::uint32_t at = batch.first; at < batch.first + batch.count; ++at) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "src/world/hash_on_the_way.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/world_state.h"
@@ -13,7 +14,7 @@
 namespace tumble::sim {
 
 /// Adds the solver's bodies that are in contact with all that prepare_manifolds computes: velocities, masses, inertias.
-void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t end, Hasher& hasher);
+void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 
 /// Adds the velocities of the solver's bodies that are in contact.
 void add_solver_velocities(const Scratch& scratch, Hasher& hasher);
@@ -28,6 +29,7 @@ void add_fast_batches(const Scratch& scratch, Hasher& hasher);
 void hash_solution(const Scratch& scratch, Hasher& hasher);
 
 /// Adds the separations of points and, of hard batches with `renewed`, all that add_batches adds.
-void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed, Hasher& hasher);
+void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed,
+                     GatheredNumbers& numbers);
 
 }  // namespace tumble::sim
