@@ -1,5 +1,7 @@
 #include "golden/canaries/known_answers.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -12,9 +14,11 @@
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
 #include "src/base/utf8.h"
+#include "src/files/output_file.h"
 #include "src/files/output_guard.h"
 #include "src/render/scene/pick.h"
 #include "src/render/scene/view.h"
+#include "tumble/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {
@@ -78,6 +82,25 @@ std::vector<CanaryResult> texts() {
       known("a slip of a word is guessed", std::string(nearest_word("frictoin", {"mass", "friction", "fraction"})),
             "friction"),
   };
+}
+
+// A service may run without standard input: the first file that is opened then has the number 0.
+CanaryResult written_without_input() {
+  CanaryResult result{"a file is written where standard input is closed", false, "it was not"};
+  const TemporaryFolder scratch("tumble-canary");
+  process::run_jobs(
+      1,
+      [&scratch](std::size_t) {
+        ::close(STDIN_FILENO);
+        const Status ok = files::write_whole_file((scratch.path() / "file").string(), "x");
+        return ok.ok() ? std::string("written") : ok.error().message;
+      },
+      [&result](std::size_t, const process::JobResult& child) {
+        result.caught = child.output == "written";
+        result.message = child.failure.empty() ? child.output : child.failure;
+      },
+      {});
+  return result;
 }
 
 // What a guard says of an output at a place in a folder with a case, a log that is read and a file of nobody's.
@@ -155,6 +178,7 @@ std::vector<CanaryResult> pointers() {
 
 std::vector<CanaryResult> run_known_answers() {
   std::vector<CanaryResult> results = texts();
+  results.push_back(written_without_input());
   for (auto* const more : {outputs, pointers}) {
     for (CanaryResult& one : more()) results.push_back(std::move(one));
   }
