@@ -10,16 +10,21 @@
 namespace tumble::sim {
 namespace {
 
-// Adds the velocities if a contact may have bounced.
+// Adds the velocities if a contact may have bounced. Without one no body moves: another velocity is this phase's doing.
 void add_bounced(const Scratch& scratch, Hasher& hasher) {
   const auto bounces = [](const ContactBatch& batch) { return batch.bounces; };
-  if (std::ranges::any_of(scratch.contact_batches.batches, bounces)) add_solver_velocities(scratch, hasher);
+  const auto moved = [&](std::uint32_t visit) { return visit > scratch.visits.first; };
+  if (std::ranges::any_of(scratch.contact_batches.batches, bounces) ||
+      std::ranges::any_of(scratch.visits.moved, moved)) {
+    add_solver_velocities(scratch, hasher);
+  }
 }
 
 }  // namespace
 
 Status bounce_contacts(WorldState& /*state*/, Scratch& scratch, double dt_s) {
   Hasher* const hasher = take_hasher(scratch);
+  scratch.visits.first = scratch.visits.now;
   sweep_layers(scratch, Sweep::kRestitution, Direction::kUp, dt_s);
   if (hasher != nullptr) add_bounced(scratch, *hasher);
   store_contacts(scratch, hasher);
