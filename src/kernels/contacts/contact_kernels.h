@@ -61,8 +61,8 @@ struct ContactKernels {
   /// Writes the effect of the accumulated impulses to `outcomes`.
   void (*warm_start)(const ContactWork& work);
   /// Adds the outcomes of each body in `of` to its velocity and spin in `bodies`, and notes which bodies move. kSome:
-  /// only those of manifolds that this visit has solved.
-  void (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due);
+  /// only those of manifolds that this visit has solved. Returns whether one of them moves.
+  bool (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due);
   /// Advances the separations by one substep with the velocities of `bodies`.
   void (*move_on)(const ContactWork& work);
   /// Computes masses and responses of hard batches anew, after their bodies have turned.

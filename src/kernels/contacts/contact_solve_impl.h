@@ -203,9 +203,10 @@ template <class V>
 // Adds to every body of a layer its outcomes, rounded to the grid of motions: sums on a grid are exact in any order,
 // here as long as the magnitudes of the outcomes add up to less than kMotionSumMax.
 template <class V, Due kDue>
-void apply_due_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
+bool apply_due_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
   constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double), kParts = kOutcomeDoubles / kAtOnce;
   const V magic = V{} + kMotionMagic, limit = V{} + kMotionSumMax, still = V{} + work.visit.still;
+  bool any_moves = false;
   for (std::size_t k = 0; k < count; ++k) {
     double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
     V sum[kParts] = {}, magnitudes = V{};  // the latter of all parts together, which is no less than that of any
@@ -232,13 +233,15 @@ void apply_due_outcomes(const ContactWork& work, const BodyOutcomes* of, std::si
       moves |= any_above(absolute(sum[part]), still);
     }
     if (moves) work.visit.moved[of[k].body] = work.visit.now;
+    any_moves |= moves;
   }
+  return any_moves;
 }
 
 template <class V>
-void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due) {
-  due == Due::kSome ? apply_due_outcomes<V, Due::kSome>(work, of, count)
-                    : apply_due_outcomes<V, Due::kAll>(work, of, count);
+bool apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due) {
+  return due == Due::kSome ? apply_due_outcomes<V, Due::kSome>(work, of, count)
+                           : apply_due_outcomes<V, Due::kAll>(work, of, count);
 }
 
 template <class V>

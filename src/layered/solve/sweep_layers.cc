@@ -1,6 +1,8 @@
 #include "src/layered/solve/sweep_layers.h"
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
@@ -22,21 +24,27 @@ int sweeps_of(const SweepGroup& group, Sweep sweep) { return sweep == Sweep::kRe
 // batches, meet, add the outcomes to ranges of bodies, and meet again.
 class Sweeper {
  public:
-  // now: the number of the last visit.
-  Sweeper(Scratch& scratch, const Worker& worker, std::uint32_t now)
-      : scratch_(scratch), contacts_(kernels(scratch.lanes).contacts), worker_(worker), now_(now) {}
+  // now: the number of the last visit. layers: notes of the layers that it sweeps.
+  Sweeper(Scratch& scratch, const Worker& worker, std::uint32_t now, std::span<VisitScratch::Layer> layers)
+      : scratch_(scratch), contacts_(kernels(scratch.lanes).contacts), worker_(worker), layers_(layers), now_(now) {}
 
   // Makes all contacts due.
-  void begin() { first_ = ++now_; }
+  void begin() {
+    first_ = ++now_;
+    std::ranges::fill(layers_, VisitScratch::Layer{});
+  }
   // Takes those as solved that find_overlaps has marked.
-  void go_on() { first_ = scratch_.visits.first; }
+  void go_on() {
+    first_ = scratch_.visits.first;
+    std::ranges::fill(layers_, VisitScratch::Layer{});
+  }
   // Notes the number of the last visit.
   void finish() const {
     if (worker_.first()) scratch_.visits.now = now_;
   }
 
-  // Solves the manifolds of a layer that are due, then adds the outcomes to the bodies. False: none was due.
-  // solve(work): how many were.
+  // Solves the manifolds of a layer that are due, then adds the outcomes to the bodies. False: no body has moved.
+  // solve(work): how many were due.
   template <class Solve>
   bool solve_layer(const ContactBatches& all, std::size_t layer, ContactWork work, Solve solve) {
     work.visit = {scratch_.visits.moved.data(), ++now_, first_, scratch_.visits.still};
@@ -47,11 +55,12 @@ class Sweeper {
     if (workers == 1) {  // a tower has as many layers as bodies: each call counts
       work.leaves_old = scratch_.layers == nullptr;
       const Due due = worker_.first() ? solve(work) : Due::kNone;
+      bool moved = false;
       if (due != Due::kNone) {
         tell_solved(all, layer);
-        contacts_.apply_outcomes(work, touched, count, due);
+        moved = contacts_.apply_outcomes(work, touched, count, due);
       }
-      return worker_.meet(due != Due::kNone);
+      return worker_.meet(moved);
     }
     const Worker::Share batches = worker_.share(work.count, workers), bodies = worker_.share(count, workers);
     const bool due = batches.begin < batches.end && solve(part_of(work, batches.begin, batches.end)) != Due::kNone;
@@ -60,28 +69,37 @@ class Sweeper {
       if (worker_.first()) tell_solved(all, layer);
       worker_.meet();
     }
-    contacts_.apply_outcomes(work, touched + bodies.begin, bodies.end - bodies.begin, Due::kAll);
-    worker_.meet();
-    return true;
+    return worker_.meet(contacts_.apply_outcomes(work, touched + bodies.begin, bodies.end - bodies.begin, Due::kAll));
   }
 
-  // Whether anything was due. all: the contacts of all layers.
+  // Visits the layers of which a body may have moved since the last visit: nothing is due in the others. False: no body
+  // has moved, so nothing is due any more. all: the contacts of all layers.
   bool sweep_once(const ContactWork& all, const SweepGroup& group, Sweep sweep, Direction direction) {
-    bool due = false;
+    bool any_moved = false;
     for (std::uint32_t k = group.begin; k < group.end; ++k) {
       const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
-      due |= solve_layer(scratch_.contact_batches, layer, contacts_of_layer(scratch_, all, layer),
-                         [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
+      const VisitScratch::Layer& last = layers_[layer];
+      if (last.looked != 0 && last.stirred < last.looked) continue;
+      const bool moved = solve_layer(scratch_.contact_batches, layer, contacts_of_layer(scratch_, all, layer),
+                                     [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
+      layers_[layer].looked = now_;
+      if (moved) stir(scratch_.visits.reach[layer]);
+      any_moved |= moved;
     }
-    return due;
+    return any_moved;
   }
 
   bool visit_fast_layer(Sweep sweep, double substep_s) {
-    return solve_layer(scratch_.fast.batches, 0, fast_contacts(scratch_, substep_s),
-                       [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
+    const bool moved = solve_layer(scratch_.fast.batches, 0, fast_contacts(scratch_, substep_s),
+                                   [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
+    if (moved) stir({0, static_cast<std::uint32_t>(layers_.size())});  // fast pairs are few
+    return moved;
   }
 
  private:
+  void stir(const VisitScratch::Reach& reach) {
+    for (std::uint32_t layer = reach.begin; layer < reach.end; ++layer) layers_[layer].stirred = now_;
+  }
   // The outcomes are there, and no body has got any.
   void tell_solved(const ContactBatches& all, std::size_t layer) const {
     if (scratch_.layers != nullptr) [[unlikely]]
@@ -94,6 +112,7 @@ class Sweeper {
   Scratch& scratch_;
   const ContactKernels& contacts_;
   Worker worker_;
+  std::span<VisitScratch::Layer> layers_;
   std::uint32_t now_, first_ = 0;
 };
 
@@ -102,8 +121,11 @@ template <class Task>
 void sweep_together(Scratch& scratch, Task task) {
   const unsigned parts = part_count(scratch.workers, scratch.contact_batches.batches.size(), kSweepBatches);
   const std::uint32_t now = scratch.visits.now;
+  std::vector<std::vector<VisitScratch::Layer>>& layers = scratch.visits.layers;
+  if (layers.size() < parts) layers.resize(parts);
+  for (unsigned part = 0; part < parts; ++part) layers[part].resize(scratch.visits.reach.size());
   work_together(scratch.workers, parts, [&](const Worker& worker) {
-    Sweeper sweeper(scratch, worker, now);
+    Sweeper sweeper(scratch, worker, now, layers[worker.part]);
     task(sweeper);
     sweeper.finish();
   });
@@ -134,14 +156,14 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
   for (const SweepGroup& group : scratch.sweep_groups) most = std::max(most, sweeps_of(group, sweep));
   sweep_together(scratch, [&](Sweeper& sweeper) {
     sweeper.begin();
-    bool due = true;
-    for (int k = 0; due && k < most; ++k) {
-      due = false;
+    bool moved = true;
+    for (int k = 0; moved && k < most; ++k) {
+      moved = false;
       for (const SweepGroup& group : scratch.sweep_groups) {
         if (k >= sweeps_of(group, sweep)) continue;
-        due |= sweeper.sweep_once(all, group, layered, k % 2 == 0 ? first : opposite(first));
+        moved |= sweeper.sweep_once(all, group, layered, k % 2 == 0 ? first : opposite(first));
       }
-      for (int visit = 0; visit < fast_visits; ++visit) due |= sweeper.visit_fast_layer(sweep, substep_s);
+      for (int visit = 0; visit < fast_visits; ++visit) moved |= sweeper.visit_fast_layer(sweep, substep_s);
     }
   });
 }
@@ -163,9 +185,9 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
   sweep_together(scratch, [&](Sweeper& sweeper) {
     sweeper.go_on();
     for (const SweepGroup& group : scratch.sweep_groups) {
-      bool due = true;
-      for (int k = 0; due && k < group.sweeps + more; ++k) {
-        due = sweeper.sweep_once(all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
+      bool moved = true;
+      for (int k = 0; moved && k < group.sweeps + more; ++k) {
+        moved = sweeper.sweep_once(all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
       }
     }
   });
@@ -173,7 +195,7 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
 
 void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visits) {
   if (scratch.fast.none()) return;
-  Sweeper sweeper(scratch, Worker{}, scratch.visits.now);
+  Sweeper sweeper(scratch, Worker{}, scratch.visits.now, {});
   sweeper.begin();
   for (int k = 0; k < visits && sweeper.visit_fast_layer(sweep, substep_s); ++k) continue;
   sweeper.finish();
