@@ -145,6 +145,25 @@ struct WeightScratch {
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it
 };
 
+/// Which bodies the sweeps of a step have moved; ContactWork::visit.
+struct VisitScratch {
+  std::vector<std::uint32_t> moved;  ///< by row of solver_bodies: number of the last visit that moved the body
+  std::uint32_t now = 0, first = 0;  ///< number of the last visit, and of the last one before the present sweeps
+  double still = 0;                  ///< m/s or rad/s; smaller changes do not make a contact due again
+
+  struct Reach {
+    std::uint32_t begin = 0, end = 0;  ///< layers
+  };
+  std::vector<Reach> reach_of_body;  ///< by row; layers of the body's contacts
+  std::vector<Reach> reach;  ///< by layer; layers that share moving bodies with it; written by prepare_manifolds
+
+  struct Layer {
+    std::uint32_t looked = 0;   ///< number of the last visit of the present sweeps; 0: none
+    std::uint32_t stirred = 0;  ///< number of the last visit that may have moved one of the layer's bodies
+  };
+  std::vector<std::vector<Layer>> layers;  ///< by worker and layer; all workers note alike
+};
+
 /// Memory of update_sleeping.
 struct SleepScratch {
   std::vector<std::uint8_t> touching;  ///< bodies that touch anything

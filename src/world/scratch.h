@@ -185,25 +185,6 @@ struct FastContacts {
   [[nodiscard]] bool none() const { return pairs.empty(); }
 };
 
-/// Which bodies the sweeps of a step have moved; ContactWork::visit.
-struct VisitScratch {
-  std::vector<std::uint32_t> moved;  ///< by row of solver_bodies: number of the last visit that moved the body
-  std::uint32_t now = 0, first = 0;  ///< number of the last visit, and of the last one before the present sweeps
-  double still = 0;                  ///< m/s or rad/s; smaller changes do not make a contact due again
-
-  struct Reach {
-    std::uint32_t begin = 0, end = 0;  ///< layers
-  };
-  std::vector<Reach> reach_of_body;  ///< by row; layers of the body's contacts
-  std::vector<Reach> reach;  ///< by layer; layers that share moving bodies with it; written by prepare_manifolds
-
-  struct Layer {
-    std::uint32_t looked = 0;   ///< number of the last visit of the present sweeps; 0: none
-    std::uint32_t stirred = 0;  ///< number of the last visit that may have moved one of the layer's bodies
-  };
-  std::vector<std::vector<Layer>> layers;  ///< by worker and layer; all workers note alike
-};
-
 /// What part_overlaps exchanges with solver_bodies while it solves: speeds that end overlaps within the step and then
 /// are forgotten.
 struct OverlapScratch {

@@ -58,6 +58,7 @@ struct ContactBatch {
   std::uint32_t first = 0, count = 0;  ///< its points
   bool bounces = false;                ///< one of its points met fast enough to bounce
   bool hard = false;                   ///< belongs to a hard island (assign_levels)
+  bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
   Lanes point_count;                   ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;

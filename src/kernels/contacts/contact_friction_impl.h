@@ -51,8 +51,8 @@ void cut_to_circle(V size, V m11, V m12, V m22, Mask slips, Friction<V>& f) {
 
 // Cuts the force to the cone of friction. A contact that has slipped in this substep keeps the dynamic coefficient
 // until the substep ends; otherwise it would stick and slip by turns from sweep to sweep.
-template <class V>
-void cut_force(const Manifolds<V>& m, V pressure, const V inverse[6], Friction<V>& f) {
+template <class V, template <class> class B>
+void cut_force(const Manifolds<V, B>& m, V pressure, const V inverse[6], Friction<V>& f) {
   ContactBatch& batch = *m.batch;
   const V sliding = m.get(batch.sliding), one = V{} + 1.0;
   const V dynamic = m.get(batch.friction_dynamic) * pressure;
@@ -66,8 +66,8 @@ void cut_force(const Manifolds<V>& m, V pressure, const V inverse[6], Friction<V
 // Force and twist within their limits, from those that together would stop slip and spin. Where one is cut, the other
 // takes what is best with that: a force that counts on a twist which a single point cannot give would push along the
 // slip. inverse: of the matrix of (t1, t2, twist), as friction_inverse.
-template <class V>
-Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& stop, const V inverse[6]) {
+template <class V, template <class> class B>
+Friction<V> within_limits(const Manifolds<V, B>& m, V pressure, const Friction<V>& stop, const V inverse[6]) {
   const V twist_limit = m.get(m.batch->friction) * pressure * m.get(m.batch->radius);
   Friction<V> f = stop;
   f.twist = clamped(stop.twist, twist_limit);
@@ -89,8 +89,8 @@ Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& 
 }
 
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
-template <class V>
-Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V pressure) {
+template <class V, template <class> class B>
+Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
   ContactBatch& batch = *m.batch;
   const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
   const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);

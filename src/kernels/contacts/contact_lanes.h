@@ -20,19 +20,51 @@ struct Body {
   V inverse_mass;
   V inertia[6];  // inverse, world axes: xx, xy, xz, yy, yz, zz
   Space<V> lent;
+
+  Body(const double* bodies, const std::uint32_t* row) {
+    V c[16];
+    for (unsigned at = 0; at < 16; at += 4) gather4(bodies, kSolverBodyDoubles, row, at, c + at);
+    velocity = {c[0], c[1], c[2]};
+    spin = {c[3], c[4], c[5]};
+    inverse_mass = c[6];
+    for (int k = 0; k < 6; ++k) inertia[k] = c[7 + k];
+    lent = {c[13], c[14], c[15]};
+  }
 };
 
+// A body of an even batch: eight of its numbers say all, and the zeros of the others need no arithmetic. Results are
+// those of Body up to the signs of zeros, which no sum on a grid keeps.
 template <class V>
-Body<V> gather_body(const double* bodies, const std::uint32_t* row) {
-  V c[16];
-  for (unsigned at = 0; at < 16; at += 4) gather4(bodies, kSolverBodyDoubles, row, at, c + at);
-  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6], {c[7], c[8], c[9], c[10], c[11], c[12]}, {c[13], c[14], c[15]}};
+struct EvenBody {
+  Space<V> velocity, spin;
+  V inverse_mass, inertia;
+
+  EvenBody(const double* bodies, const std::uint32_t* row) {
+    V c[8];
+    for (unsigned at = 0; at < 8; at += 4) gather4(bodies, kSolverBodyDoubles, row, at, c + at);
+    velocity = {c[0], c[1], c[2]};
+    spin = {c[3], c[4], c[5]};
+    inverse_mass = c[6];
+    inertia = c[7];
+  }
+};
+
+// The lanes in which a Body is even.
+template <class V>
+auto is_even(const Body<V>& body) {
+  const V* i = body.inertia;
+  const auto alike = (i[0] == i[3]) & (i[0] == i[5]) & (i[1] == 0.0) & (i[2] == 0.0) & (i[4] == 0.0);
+  return alike & (body.lent.x == 0.0) & (body.lent.y == 0.0) & (body.lent.z == 0.0);
 }
 
 // The change of velocity by a force: M⁻¹ force.
 template <class V>
 Space<V> velocity_of(const Body<V>& body, Space<V> force) {
   return force * body.inverse_mass - body.lent * dot(body.lent, force);
+}
+template <class V>
+Space<V> velocity_of(const EvenBody<V>& body, Space<V> force) {
+  return force * body.inverse_mass;
 }
 
 // I⁻¹ torque.
@@ -42,15 +74,19 @@ Space<V> spin_of(const Body<V>& body, Space<V> t) {
   return {(i[0] * t.x + i[1] * t.y) + i[2] * t.z, (i[1] * t.x + i[3] * t.y) + i[4] * t.z,
           (i[2] * t.x + i[4] * t.y) + i[5] * t.z};
 }
-
-// Manifolds of a batch, as many as V has lanes, from lane `at` on.
 template <class V>
+Space<V> spin_of(const EvenBody<V>& body, Space<V> t) {
+  return t * body.inertia;
+}
+
+// Manifolds of a batch, as many as V has lanes, from lane `at` on. B: Body, or EvenBody for an even batch.
+template <class V, template <class> class B = Body>
 struct Manifolds {
   ContactBatch* batch;
   PointBatch* points;
   unsigned at;
   Space<V> n, t1, t2, d;
-  Body<V> a, b;
+  B<V> a, b;
 
   Manifolds(const ContactWork& work, ContactBatch& of, unsigned lane)
       : Manifolds(work, of, work.sides[&of - work.batches], lane) {}
@@ -62,8 +98,8 @@ struct Manifolds {
         t1(space(of.t1)),
         t2(space(of.t2)),
         d(space(of.d)),
-        a(gather_body<V>(work.bodies, sides.a + lane)),
-        b(gather_body<V>(work.bodies, sides.b + lane)) {}
+        a(work.bodies, sides.a + lane),
+        b(work.bodies, sides.b + lane) {}
 
   V get(const Lanes& lanes) const { return load<V>(lanes.of + at); }
   void set(Lanes& lanes, V v) const { store(lanes.of + at, v); }
@@ -75,8 +111,8 @@ template <class V>
 struct Motion {
   Space<V> u, w;
 };
-template <class V>
-Motion<V> relative_motion(const Manifolds<V>& m) {
+template <class V, template <class> class B>
+Motion<V> relative_motion(const Manifolds<V, B>& m) {
   return {(m.b.velocity - m.a.velocity) - cross(m.a.spin, m.d), m.b.spin - m.a.spin};
 }
 
@@ -85,22 +121,22 @@ template <class V>
 struct Wrench {
   Space<V> force, torque;
 };
-template <class V>
-Space<V> reaction_torque(const Manifolds<V>& m, const Wrench<V>& wrench) {
+template <class V, template <class> class B>
+Space<V> reaction_torque(const Manifolds<V, B>& m, const Wrench<V>& wrench) {
   return wrench.torque + cross(m.d, wrench.force);
 }
-template <class V>
-Wrench<V> normal_wrench(const Manifolds<V>& m, V s, V sq, V sp) {
+template <class V, template <class> class B>
+Wrench<V> normal_wrench(const Manifolds<V, B>& m, V s, V sq, V sp) {
   return {m.n * s, m.t1 * sq - m.t2 * sp};
 }
-template <class V>
-Wrench<V> friction_wrench(const Manifolds<V>& m, V force1, V force2, V turn) {
+template <class V, template <class> class B>
+Wrench<V> friction_wrench(const Manifolds<V, B>& m, V force1, V force2, V turn) {
   const V offset = m.get(m.batch->offset);
   return {m.t1 * force1 + m.t2 * force2, (m.t1 * (-offset * force2) + m.t2 * (offset * force1)) + m.n * turn};
 }
 
-template <class V>
-void write_side(double* outcomes, const Body<V>& body, Space<V> force, Space<V> torque) {
+template <class V, template <class> class B>
+void write_side(double* outcomes, const B<V>& body, Space<V> force, Space<V> torque) {
   const Space<V> v = velocity_of(body, force), w = spin_of(body, torque);
   const V zero = V{} + 0.0;
   const V first[4] = {v.x, v.y, v.z, w.x}, second[4] = {w.y, w.z, zero, zero};
@@ -108,8 +144,8 @@ void write_side(double* outcomes, const Body<V>& body, Space<V> force, Space<V> 
   scatter4(outcomes + 4, 2 * kOutcomeDoubles, second);
 }
 
-template <class V>
-void write_outcomes(const ContactWork& work, const Manifolds<V>& m, const Wrench<V>& wrench) {
+template <class V, template <class> class B>
+void write_outcomes(const ContactWork& work, const Manifolds<V, B>& m, const Wrench<V>& wrench) {
   const std::size_t lane = static_cast<std::size_t>(m.batch - work.batches) * kLanes + m.at;
   double* const row = work.outcomes + 2 * lane * kOutcomeDoubles;
   write_side(row, m.a, -wrench.force, -reaction_torque(m, wrench));
@@ -136,14 +172,14 @@ struct PointSums {
 };
 
 // The number of points, at least 4: fitting_magic wants no term larger than a quarter of all.
-template <class V>
-V terms_of(const Manifolds<V>& m) {
+template <class V, template <class> class B>
+V terms_of(const Manifolds<V, B>& m) {
   return larger(V{} + 4.0, m.get(m.batch->point_count));
 }
 
 // The sums of `impulses`, one a point, of any size: the largest term chooses each grid.
-template <class V>
-PointSums<V> add_up(const Manifolds<V>& m, const V* impulses) {
+template <class V, template <class> class B>
+PointSums<V> add_up(const Manifolds<V, B>& m, const V* impulses) {
   const unsigned count = m.batch->count;
   PointSums<V> largest = {};
   for (unsigned k = 0; k < count; ++k) {
@@ -165,8 +201,8 @@ PointSums<V> add_up(const Manifolds<V>& m, const V* impulses) {
 }
 
 // The sums of the accumulated impulses.
-template <class V>
-PointSums<V> add_up_impulses(const Manifolds<V>& m) {
+template <class V, template <class> class B>
+PointSums<V> add_up_impulses(const Manifolds<V, B>& m) {
   V impulses[kPointsMax];
   for (unsigned k = 0; k < m.batch->count; ++k) impulses[k] = m.get(m.points[k].impulse);
   return add_up(m, impulses);

@@ -274,6 +274,7 @@ void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
 template <class V>
 void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V> m(work, batch, at);
+  batch.even = (at == 0 || batch.even) && all_of(is_even(m.a) & is_even(m.b));
   find_friction_centre(m, find_reach(m));
   prepare_responses(m);
   prepare_approaches(m);

@@ -14,8 +14,8 @@ constexpr double kSkin = 0.0001;       // m apart that counts as touching; see b
 constexpr double kPushMax = 1;         // m/s
 
 // The sum of the points' normal impulses.
-template <class V>
-V pressure_of(const Manifolds<V>& m) {
+template <class V, template <class> class B>
+V pressure_of(const Manifolds<V, B>& m) {
   const V magic = m.get(m.batch->impulse_magic);
   V pressure = V{};
   for (unsigned k = 0; k < m.batch->count; ++k) pressure += to_grid(magic, m.get(m.points[k].impulse));
@@ -38,22 +38,22 @@ V bias_of(const ContactWork& work, V separation, V slop) {
 }
 
 // The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact.
-template <class V>
-V rebound(const Manifolds<V>& m, V approach, V separation) {
+template <class V, template <class> class B>
+V rebound(const Manifolds<V, B>& m, V approach, V separation) {
   const V speed = m.get(m.batch->restitution) * approach, zero = V{};
   return square_root(larger(zero, speed * speed + 2.0 * m.get(m.batch->acceleration) * separation));
 }
 
 // The velocity that a point should have, negated; constant during the passes over the points.
-template <Sweep kSweep, class V>
-V unwanted_speed(const ContactWork& work, const Manifolds<V>& m, const PointBatch& point) {
+template <Sweep kSweep, class V, template <class> class B>
+V unwanted_speed(const ContactWork& work, const Manifolds<V, B>& m, const PointBatch& point) {
   const V separation = m.get(point.separation);
   if constexpr (kSweep == Sweep::kRestitution) return -rebound(m, m.get(point.approach), separation);
   return bias_of<kSweep>(work, separation, m.get(m.batch->slop));
 }
 
-template <Sweep kSweep, class V>
-V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
+template <Sweep kSweep, class V, template <class> class B>
+V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
   const V impulse = m.get(point.impulse);
   const V wanted = impulse - m.get(m.batch->relaxation) * (m.get(point.mass) * speed);
   if constexpr (kSweep == Sweep::kRestitution) {
@@ -66,16 +66,16 @@ V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
 // The part of a bounce that gives back e² of the absorbed energy, where all of it would give back more. Newton's law of
 // restitution alone adds energy where friction turns the body during the impact (Stronge 1990). initial: J, the work of
 // the bounce at the velocities before it; gained: J, what its own change of velocity adds.
-template <class V>
-V part_of_bounce(const Manifolds<V>& m, V initial, V gained) {
+template <class V, template <class> class B>
+V part_of_bounce(const Manifolds<V, B>& m, V initial, V gained) {
   const V e = m.get(m.batch->restitution), limit = e * e * larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
   const V root = square_root(larger(V{}, initial * initial + 4.0 * gained * limit));
   const V part = smaller(one, larger(V{}, (root - initial) / (2.0 * gained)));
   return initial + gained > limit ? part : one;
 }
 
-template <Sweep kSweep, class V>
-Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V>& m, const Motion<V>& motion, V pressure) {
+template <Sweep kSweep, class V, template <class> class B>
+Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
   V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
   const V magic = m.get(m.batch->impulse_magic), impulse_max = m.get(m.batch->impulse_max), zero = V{};
   V r[6];
@@ -123,9 +123,9 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V>& m, const Mo
   return normal_wrench(m, total_s, total_sq, total_sp);
 }
 
-template <Sweep kSweep, class V>
+template <Sweep kSweep, class V, template <class> class B = Body>
 void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  const Manifolds<V> m(work, batch, at);
+  const Manifolds<V, B> m(work, batch, at);
   Motion<V> motion = relative_motion(m);
   const V pressure = pressure_of(m);
   if constexpr (kSweep == Sweep::kRestitution || kSweep == Sweep::kPart) {
@@ -143,18 +143,25 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
   }
 }
 
+template <class V, template <class> class B>
+void solve_sweep(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep sweep) {
+  if (sweep == Sweep::kPush) return solve_manifolds<Sweep::kPush, V, B>(work, batch, at);
+  if (sweep == Sweep::kHold) return solve_manifolds<Sweep::kHold, V, B>(work, batch, at);
+  solve_manifolds<Sweep::kPart, V, B>(work, batch, at);
+}
+
 template <class V>
 void solve(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep sweep) {
-  if (sweep == Sweep::kPush) return solve_manifolds<Sweep::kPush, V>(work, batch, at);
-  if (sweep == Sweep::kHold) return solve_manifolds<Sweep::kHold, V>(work, batch, at);
-  if (sweep == Sweep::kPart) return solve_manifolds<Sweep::kPart, V>(work, batch, at);
+  if (sweep != Sweep::kRestitution) {
+    return batch.even ? solve_sweep<V, EvenBody>(work, batch, at, sweep) : solve_sweep<V, Body>(work, batch, at, sweep);
+  }
   if (batch.bounces) return solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
   write_outcomes(work, Manifolds<V>(work, batch, at), Wrench<V>{});
 }
 
-template <class V>
-void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  const Manifolds<V> m(work, batch, at);
+template <class V, template <class> class B>
+void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  const Manifolds<V, B> m(work, batch, at);
   const V magic = m.get(batch.impulse_magic);
   PointSums<V> sums = {};
   for (unsigned k = 0; k < batch.count; ++k) {
@@ -172,6 +179,11 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Wrench<V> normal = normal_wrench(m, sums.s, sums.sq, sums.sp),
                   friction = friction_wrench(m, force1, force2, turn);
   write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
+}
+
+template <class V>
+void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  return batch.even ? warm_start_from<V, EvenBody>(work, batch, at) : warm_start_from<V, Body>(work, batch, at);
 }
 
 // Whether this visit has solved the manifold whose outcome is row `row`.
@@ -246,7 +258,7 @@ bool apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t
 
 template <class V>
 void move_on(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  const Manifolds<V> m(work, batch, at);
+  const Manifolds<V, EvenBody> m(work, batch, at);  // of any body, velocity and spin
   const Motion<V> motion = relative_motion(m);
   const V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
   for (unsigned k = 0; k < batch.count; ++k) {

@@ -106,6 +106,14 @@ inline bool any(Mask holds) {
   return joined != 0;
 }
 
+// Whether a comparison holds in all lanes.
+inline bool all_of(bool holds) { return holds; }
+inline bool all_of(int holds) { return holds != 0; }
+template <class Mask>
+inline bool all_of(Mask holds) {
+  return !any(~holds);
+}
+
 // Whether a < b in all lanes; a NaN is not.
 inline bool all_below(double a, double b) { return a < b; }
 template <class V>

@@ -79,7 +79,7 @@ class Sweeper {
     for (std::uint32_t k = group.begin; k < group.end; ++k) {
       const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
       const VisitScratch::Layer& last = layers_[layer];
-      if (last.looked != 0 && last.stirred < last.looked) continue;
+      if (last.looked != 0 && std::max(last.stirred, all_stirred_) < last.looked) continue;
       const bool moved = solve_layer(scratch_.contact_batches, layer, contacts_of_layer(scratch_, all, layer),
                                      [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
       layers_[layer].looked = now_;
@@ -92,12 +92,16 @@ class Sweeper {
   bool visit_fast_layer(Sweep sweep, double substep_s) {
     const bool moved = solve_layer(scratch_.fast.batches, 0, fast_contacts(scratch_, substep_s),
                                    [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
-    if (moved) stir({0, static_cast<std::uint32_t>(layers_.size())});  // fast pairs are few
+    if (moved) all_stirred_ = now_;  // fast pairs are few
     return moved;
   }
 
  private:
   void stir(const VisitScratch::Reach& reach) {
+    if (reach.end - reach.begin == layers_.size()) {
+      all_stirred_ = now_;
+      return;
+    }
     for (std::uint32_t layer = reach.begin; layer < reach.end; ++layer) layers_[layer].stirred = now_;
   }
   // The outcomes are there, and no body has got any.
@@ -114,6 +118,7 @@ class Sweeper {
   Worker worker_;
   std::span<VisitScratch::Layer> layers_;
   std::uint32_t now_, first_ = 0;
+  std::uint32_t all_stirred_ = 0;  // as VisitScratch::Layer::stirred, for all layers
 };
 
 // Calls task(sweeper) for as many workers as the contacts of all layers are worth.
