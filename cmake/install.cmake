@@ -28,7 +28,7 @@ function(tumble_install_data)
   install(DIRECTORY schema/json schema/export DESTINATION ${install_data}/schema ${ARGN} FILES_MATCHING PATTERN *.schema.json
           PATTERN *.proto)
   install(FILES LICENSE CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
-  install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN} PATTERN images EXCLUDE)
+  install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
   install(CODE "
     set(TUMBLE $<TARGET_FILE:tumble>)
     set(WORK ${install_work})

@@ -31,6 +31,15 @@ struct Expected {
   keepsExtras @20 :Bool;        # channels and contactHash are those of the session, and stepWord leaves them out
   channels @21 :List(Channel);  # ascending names
   contactHash @22 :Data;        # (N + 1) x UInt32, planes: of the engine's contacts in states 0 .. N; empty: none
+  keepsShapes @23 :Bool;        # shapes are those of the session
+  shapes @24 :List(BodyShape);  # ascending ids: of another engine's bodies that are no boxes
+}
+
+struct BodyShape {
+  id @0 :UInt64;
+  low @1 :UInt64;               # hash of the shape, as in a log
+  high @2 :UInt64;
+  text @3 :Text;                # for people
 }
 
 # A channel of another engine's session.

@@ -71,7 +71,8 @@ std::string describe(const FirstDifference& difference) {
 ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHeader& header)
     : expected_(expected),
       same_phases_(expected.phases == header.phases && expected.method == header.method),
-      same_words_(same_phases_ && expected.phase_hash_version == header.phase_hash_version) {
+      same_words_(same_phases_ && expected.phase_hash_version == header.phase_hash_version),
+      shapes_(header) {
   if (expected.method != header.method || expected.method_version != header.method_version) {
     notes_.push_back("blessed with method " + expected.method + " version " + number(expected.method_version) +
                      ", run with " + header.method + " version " + number(header.method_version));
@@ -82,6 +83,11 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
     notes_.emplace_back(
         "blessed before goldens kept channels: a channel that differs is seen, but not named, and not "
         "in the state of step 0; bless the case to have them compared");
+  }
+  if (header.engine && !expected.shapes) {
+    notes_.emplace_back(
+        "blessed before goldens kept shapes: a body of another shape is not seen; bless the case to have them "
+        "compared");
   }
   if (!same_phases_) notes_.emplace_back("the phases have other names than when it was blessed: only states compare");
 }
@@ -107,6 +113,7 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
     if (!first_->states_from) first_->states_from = record.step;
   }
   if (extras_) compare_extras(record);
+  shapes_.add(record);
   if (first_ && first_->states_from) look_closer(record);
   follow_state(record);
   follow_track(record);
@@ -129,8 +136,16 @@ std::vector<std::string> ExpectedComparer::lost_channels() const {
   return extras_ ? extras_->lost() : std::vector<std::string>();
 }
 
+std::vector<std::string> ExpectedComparer::other_shapes() const {
+  const std::optional<std::vector<BodyShape>> actual = shapes_.shapes();
+  if (!expected_.shapes || !actual) return {};
+  return golden::other_shapes(*expected_.shapes, *actual);
+}
+
 std::vector<std::string> ExpectedComparer::extras() const {
-  return extras_ ? extras_->compared() : std::vector<std::string>();
+  std::vector<std::string> parts = extras_ ? extras_->compared() : std::vector<std::string>();
+  if (expected_.shapes) parts.emplace_back("shapes of bodies");
+  return parts;
 }
 
 /// Finds the first phase word that differs. A golden keeps 16 bits of each phase hash, so that about one difference in

@@ -52,7 +52,10 @@ class ExpectedComparer {
   /// Channels of the golden that the session lacks or has in another type, a sentence each.
   [[nodiscard]] std::vector<std::string> lost_channels() const;
 
-  /// The channels and contacts that were compared, in words.
+  /// Bodies of another shape than in the golden, a sentence each; of all steps given.
+  [[nodiscard]] std::vector<std::string> other_shapes() const;
+
+  /// The channels, contacts and shapes that were compared, in words.
   [[nodiscard]] std::vector<std::string> extras() const;
 
   /// Reasons why something could not be compared, such as phase words of another version.
@@ -71,6 +74,7 @@ class ExpectedComparer {
   bool same_phases_;
   bool same_words_;                       // and their hashes cover the same fields
   std::optional<ExtrasComparer> extras_;  // none: the golden is older than channels
+  ShapesKeeper shapes_;
   std::optional<FirstDifference> first_;
   std::uint64_t steps_ = 0;
   std::uint64_t next_step_ = 0;  // that add() expects

@@ -114,7 +114,9 @@ Milestones choose_milestones(std::uint64_t steps, std::size_t bodies) {
 }
 
 ExpectedBuilder::ExpectedBuilder(const replay::LogHeader& header, std::uint64_t steps, const Hash128& scene)
-    : milestones_(choose_milestones(steps, header.scene.boxes.size())), extras_(header.declared.channels) {
+    : milestones_(choose_milestones(steps, header.scene.boxes.size())),
+      extras_(header.declared.channels),
+      shapes_(header) {
   expected_.provenance.version = TUMBLE_VERSION;
   expected_.method = header.method;
   expected_.method_version = header.method_version;
@@ -131,6 +133,7 @@ void ExpectedBuilder::add(const replay::StepRecord& record) {
     expected_.phase_words.push_back(phase_words_of(record, expected_.phases.size(), expected_.phase_detail));
   }
   extras_.add(record);
+  shapes_.add(record);
   const auto is_in = [&](const std::vector<std::uint64_t>& steps) {
     return std::ranges::binary_search(steps, record.step);
   };
@@ -142,6 +145,7 @@ void ExpectedBuilder::add(const replay::StepRecord& record) {
 Expected ExpectedBuilder::finish(const Hash128& continuation) {
   expected_.continuation = continuation;
   expected_.extras = extras_.finish();
+  expected_.shapes = shapes_.shapes();
   return std::move(expected_);
 }
 

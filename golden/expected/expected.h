@@ -53,8 +53,10 @@ struct Expected {
   std::vector<KeyState> states;          ///< ascending step
   std::vector<TrackPoint> track;         ///< ascending step
   std::optional<ExpectedExtras> extras;  ///< channels and contacts; none: blessed before goldens kept them
-  std::string scene_text;                ///< scene.toml when it was blessed; empty: not kept
-  Provenance provenance;                 ///< of the run that was blessed; an old golden has a version alone
+  /// Of bodies of another engine; none: of Tumble, or blessed before goldens kept them.
+  std::optional<std::vector<BodyShape>> shapes;
+  std::string scene_text;  ///< scene.toml when it was blessed; empty: not kept
+  Provenance provenance;   ///< of the run that was blessed; an old golden has a version alone
 
   [[nodiscard]] std::uint64_t steps() const { return state_hashes.empty() ? 0 : state_hashes.size() - 1; }
   friend bool operator==(const Expected&, const Expected&) = default;
@@ -97,6 +99,7 @@ class ExpectedBuilder {
   Expected expected_;
   Milestones milestones_;
   ExtrasKeeper extras_;
+  ShapesKeeper shapes_;
 };
 
 }  // namespace tumble::golden

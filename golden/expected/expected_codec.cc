@@ -116,6 +116,7 @@ void encode_root(const Expected& expected, schema::Expected::Builder out) {
   auto track = out.initTrack(static_cast<unsigned>(expected.track.size()));
   for (unsigned i = 0; i < track.size(); ++i) encode_track(expected.track[i], track[i]);
   if (expected.extras) encode(*expected.extras, out);
+  if (expected.shapes) encode(*expected.shapes, out);
 }
 
 Status decode_hashes(schema::Expected::Reader in, Expected& out) {
@@ -227,6 +228,7 @@ Result<Expected> decode_root(schema::Expected::Reader in) {
   if (ok.ok()) ok = decode_list("states", in.getStates(), steps, out.states, decode_state);
   if (ok.ok()) ok = decode_list("track", in.getTrack(), steps, out.track, decode_track);
   if (ok.ok()) ok = decode(in, steps, out.extras);
+  if (ok.ok()) ok = decode(in, out.shapes);
   if (!ok.ok()) return ok.error();
   return out;
 }

@@ -183,8 +183,10 @@ std::string ExtrasComparer::detail(const std::string& field, const replay::StepR
 std::vector<std::string> ExtrasComparer::lost() const {
   std::vector<std::string> sentences;
   for (const Pair& pair : pairs_) {
-    if (pair.expected == nullptr) continue;
     const std::string field = kChannelPrefix + pair.channel.name;
+    const bool is_input = pair.channel.name.starts_with("input.");
+    if (pair.expected == nullptr && is_input) sentences.push_back(field + ": the golden has no such input");
+    if (pair.expected == nullptr) continue;
     if (!pair.actual) {
       sentences.push_back(field + ": the session has no such channel");
     } else if (const replay::ChannelType& before = pair.expected->channel.type;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/channel.h"
 #include "tumble/replay/step_record.h"
 
@@ -30,6 +31,31 @@ struct ExpectedExtras {
   std::vector<std::uint32_t> contact_hashes;  ///< of states 0 … N; empty: no state has a contact
   friend bool operator==(const ExpectedExtras&, const ExpectedExtras&) = default;
 };
+
+/// A body that is no box.
+struct BodyShape {
+  sim::BodyId id = 0;
+  Hash128 shape;
+  std::string text;  ///< for people: "sphere of radius 0.5 m"
+  friend bool operator==(const BodyShape&, const BodyShape&) = default;
+};
+
+/// Collects the shapes of a session of another engine: of the bodies of the start, and of those that appear in a step.
+class ShapesKeeper {
+ public:
+  explicit ShapesKeeper(const replay::LogHeader& header);
+  void add(const replay::StepRecord& record);
+  /// Ascending ids; none for a session of Tumble, whose bodies are boxes.
+  [[nodiscard]] std::optional<std::vector<BodyShape>> shapes() const;
+
+ private:
+  bool is_engine_;
+  replay::BodyTable bodies_;
+};
+
+/// The bodies whose shapes differ, a sentence each: "body 4: expected sphere of radius 0.5 m, actual box". At most six,
+/// and one that counts the rest.
+std::vector<std::string> other_shapes(const std::vector<BodyShape>& expected, const std::vector<BodyShape>& actual);
 
 /// Low half of XXH3-128's low word; 0 without a value. A whole number has one hash, whether its kind is an integer or a
 /// double: a table's column may be either.
@@ -65,7 +91,7 @@ class ExtrasComparer {
   [[nodiscard]] std::string detail(const std::string& field, const replay::StepRecord& record) const;
 
   /// The golden's channels that the session lacks or has in another type, a sentence each: "channel.knee: the session
-  /// has no such channel". What a bound judges may be gone with them.
+  /// has no such channel"; and inputs by name that the golden lacks. What a bound judges may be gone with them.
   [[nodiscard]] std::vector<std::string> lost() const;
 
   /// What is compared: "2 channels (knee, seed)", "contacts of the engine".

@@ -1,6 +1,7 @@
 #include "golden/expected/extras_codec.h"
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -90,6 +91,30 @@ Status decode(schema::Expected::Reader in, std::uint64_t steps, std::optional<Ex
   const std::uint64_t contacts = hashes.size() == 0 ? 0 : steps + 1;
   if (Status ok = replay::get_planes("contactHash", hashes, contacts, found.contact_hashes); !ok.ok()) return ok;
   extras = std::move(found);
+  return {};
+}
+
+void encode(const std::vector<BodyShape>& shapes, schema::Expected::Builder out) {
+  out.setKeepsShapes(true);
+  auto list = out.initShapes(static_cast<unsigned>(shapes.size()));
+  for (unsigned i = 0; i < list.size(); ++i) {
+    list[i].setId(shapes[i].id);
+    list[i].setLow(shapes[i].shape.low);
+    list[i].setHigh(shapes[i].shape.high);
+    list[i].setText(shapes[i].text);
+  }
+}
+
+Status decode(schema::Expected::Reader in, std::optional<std::vector<BodyShape>>& shapes) {
+  if (!in.getKeepsShapes()) return {};
+  std::vector<BodyShape> found;
+  for (const schema::BodyShape::Reader body : in.getShapes()) {
+    const capnp::Text::Reader text = body.getText();
+    found.push_back({body.getId(), {body.getHigh(), body.getLow()}, std::string(text.cStr(), text.size())});
+  }
+  const bool ascend = std::ranges::adjacent_find(found, std::greater_equal<>(), &BodyShape::id) == found.end();
+  if (!ascend) return damaged("shapes: found ids out of order");
+  shapes = std::move(found);
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "schema/golden.capnp.h"
 #include "tumble/golden/expected_extras.h"
@@ -15,5 +16,10 @@ void encode(const ExpectedExtras& extras, schema::Expected::Builder out);
 /// steps: of the session. extras: none where the golden keeps none. Errors (kDamaged): sizes that do not fit, steps out
 /// of order, names that no log can have.
 Status decode(schema::Expected::Reader in, std::uint64_t steps, std::optional<ExpectedExtras>& extras);
+
+void encode(const std::vector<BodyShape>& shapes, schema::Expected::Builder out);
+
+/// shapes: none where the golden keeps none. Errors (kDamaged): ids out of order.
+Status decode(schema::Expected::Reader in, std::optional<std::vector<BodyShape>>& shapes);
 
 }  // namespace tumble::golden

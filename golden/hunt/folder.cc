@@ -106,7 +106,9 @@ Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::stri
   if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
   if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
   if (Status ok = differs("engine", kept.engine, wanted.engine); !ok.ok()) return ok;
-  if (Status ok = differs("build of the other program (its files' hash)", kept.engine_hash, wanted.engine_hash);
+  if (Status ok = differs(kept.against.empty() ? "build of the engine (its files' hash)"
+                                               : "build of the other program (its files' hash)",
+                          kept.engine_hash, wanted.engine_hash);
       !ok.ok())
     return ok;
   std::string found, want;

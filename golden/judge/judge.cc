@@ -109,8 +109,8 @@ class Pass {
     result.difference->details.emplace_back(kExactValues);
   }
 
-  /// A session of another length, of other bodies or without a channel is not the one that was blessed, and no bound
-  /// excuses that: an engine that ends early has less time to go wrong.
+  /// A session of another length, of other bodies or shapes, or without a channel is not the one that was blessed, and
+  /// no bound excuses that: an engine that ends early has less time to go wrong.
   void judge_extent(CaseResult& result, const Expected& expected) const {
     if (result.steps != expected.steps() && !reference_.cut_short) {
       result.problems.push_back("its session has " + count_text(result.steps, "step") + ", its golden " +
@@ -118,6 +118,9 @@ class Pass {
     }
     for (const std::string& lost : comparer_->lost_channels()) {
       result.problems.push_back(lost + "; bless the case if that is meant");
+    }
+    for (const std::string& other : comparer_->other_shapes()) {
+      result.problems.push_back("another shape: " + other + "; bless the case if that is meant");
     }
     if (expected.body_hashes.empty() || expected.body_hashes.front().id == start_) return;
     result.problems.push_back("its session starts with other bodies: " + number(start_.size()) + ", its golden with " +

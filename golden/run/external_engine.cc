@@ -48,6 +48,7 @@ Result<Session> session_before(const Error& failure, const RunFiles& files, cons
   Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, failure.message, seconds, true};
   const Result<replay::LogReader> reader = open_session(session, *log);
   if (!reader.ok() || reader->step_count() == 0) return failure;
+  session.was_converted = *log == converted;
   return session;
 }
 
@@ -112,7 +113,7 @@ std::string engine_line(const CaseEngine& engine, const std::string& name, bool 
   const fs::path here = fs::current_path(error);
   const std::string place = from_folder(folder.string(), here);
   const std::string runs = "(cd " + shell_quoted(place) + " && " + replaced(log, "''", "") + ")";
-  return converts ? runs + " && " + import_line(engine, name) : runs;
+  return converts ? runs + "; " + import_line(engine, name) : runs;  // also of an engine that fails
 }
 
 Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {

@@ -8,6 +8,7 @@
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
 #include "replay/log/hashes_only.h"
+#include "replay/log/log_facts.h"
 #include "src/base/text.h"
 #include "tumble/replay/body_states.h"
 
@@ -120,6 +121,10 @@ class Diff {
 
   /// Adds to the report what it speaks of.
   Result<DiffReport> finished() {
+    if (!report_.first && !states_only_ && !values_in_one_ && reading_ == Reading::kAll) {
+      add_later_shapes(a_, b_, report_.only_in.a);
+      add_later_shapes(b_, a_, report_.only_in.b);
+    }
     const DiffFacts facts = {report_.from,
                              std::min(report_.last_a, report_.last_b),
                              reading_ == Reading::kHashes,
@@ -235,11 +240,7 @@ class Diff {
 
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
-    if (values_in_one_) {  // then no more than the length of the step is in both
-      const double dt = actual.dt;
-      actual = expected;
-      actual.dt = dt;
-    }
+    if (values_in_one_) actual.dt = std::exchange(actual, expected).dt;  // no more than the length is in both
     leave_out_words(expected, actual);
     if (imported_) report_.zeros += forgive_zeros(expected, actual);
     forgive_derived(derived_, expected, actual);

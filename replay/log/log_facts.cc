@@ -1,5 +1,6 @@
 #include "replay/log/log_facts.h"
 
+#include <algorithm>
 #include <set>
 #include <variant>
 
@@ -70,5 +71,18 @@ std::optional<double> LogFacts::bytes_per_moving_body_step(std::uint64_t file_by
 }
 
 LogFacts collect_facts(LogReader& log, const Progress& progress) { return FactCounter(log).run(progress); }
+
+void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts) {
+  const auto begins_with = [](const LogReader& log, sim::BodyId id) {
+    return std::ranges::binary_search(log.header().declared.bodies, id, {}, &BodyInfo::id);
+  };
+  const std::map<sim::BodyId, BodyInfo>& there = other.bodies().bodies();
+  for (const auto& [id, body] : one.bodies().bodies()) {
+    if (body.shape == Hash128() || begins_with(one, id) || begins_with(other, id)) continue;
+    const auto its = there.find(id);
+    if (its != there.end() && its->second.shape == body.shape) continue;
+    parts.push_back("its shape of body " + std::to_string(id));
+  }
+}
 
 }  // namespace tumble::replay

@@ -66,9 +66,18 @@ class Recovery {
     return stored;
   }
 
+  /// For later readers of the new log, which see a whole file; empty where its last step is that of the session.
+  [[nodiscard]] std::string end_lost() const {
+    const std::string last = std::to_string(report_.last_step);
+    if (!left_.last_step) return "recovered up to step " + last + ", and its end was lost";
+    if (*left_.last_step <= report_.last_step) return "";
+    return "recovered up to step " + last + " of " + std::to_string(*left_.last_step);
+  }
+
   Status write_header() {
     const bool begins_as_it_did = left_.header && left_.header->prelude.first_step == report_.first_state;
-    const bool as_it_was = begins_as_it_did && left_.header->content.missing() == missing_;
+    const std::string cut_short = end_lost();
+    const bool as_it_was = begins_as_it_did && left_.header->content.missing() == missing_ && cut_short.empty();
     if (as_it_was) {
       const Result<std::vector<std::byte>> stored = bytes_of(left_.header->payload, left_.header->prelude);
       return stored.ok() ? writer_.copy_header(left_.header->prelude, *stored) : Status(stored.error());
@@ -78,6 +87,7 @@ class Recovery {
     Result<LogHeader> header = left_.header ? left_.header->content : made_header(*first);
     if (!header.ok()) return header.error();
     header->recovered = {source_.name(), report_.header_lost, missing_};
+    if (!cut_short.empty()) header->declared.cut_short = cut_short;
     const Keyframe& keyframe = first->keyframe();
     const Hash128 chain = left_.chunks.front().prelude.chain_before;
     const bool is_begin = report_.first_state == 0 &&

@@ -21,9 +21,17 @@ struct Inputs {
 
 /// Reads the inputs of all steps. Steps of the log come first; after its last step, the scene still has the inputs that
 /// a session which stopped early did not reach.
-Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
+/// Of steps that a recovered log lost before state k, the state has what came of their inputs; those after it are
+/// needed: needs_all.
+Result<Inputs> inputs_around(LogReader& log, std::uint64_t k, bool needs_all) {
   Inputs inputs;
   for (std::uint64_t step = log.first_state() + 1; step <= log.last_step(); ++step) {
+    if (log.lost_at(step) != nullptr) {
+      if (step <= k || !needs_all) continue;
+      return bad_input(log.name() + ": step " + std::to_string(step) +
+                       " is lost, and with it the inputs before it: wanted no inputs of the log after step " +
+                       std::to_string(k) + ", or a state behind the gap");
+    }
     const Result<const StepRecord*> record = log.read_hashes(step);
     if (!record.ok()) return record.error();
     for (const sim::Command& command : (*record)->inputs) {
@@ -78,7 +86,7 @@ Result<sim::WorldState> state_at(LogReader& log, std::uint64_t k) {
 Result<Continuation> continuation_of(LogReader& log, std::uint64_t k, const GoOnOptions& options) {
   Result<sim::WorldState> state = state_at(log, k);
   if (!state.ok()) return state.error();
-  Result<Inputs> inputs = inputs_around(log, k);
+  Result<Inputs> inputs = inputs_around(log, k, options.keep_inputs && !options.planned_only);
   if (!inputs.ok()) return inputs.error();
   const Result<Hash128> chain = log.chain_at(k);
   if (!chain.ok()) return chain.error();

@@ -5,6 +5,7 @@ import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { eventually, kPatienceMs } from "../report_page/eventually.js";
+import { find_runs, pair_in, parse_query } from "../../golden/report/page/session/search.js";
 import { open_page } from "./pages.js";
 import { Sessions } from "./sessions.js";
 
@@ -142,3 +143,23 @@ test("what is still being recorded is answered so far", async () => {
 });
 
 test("nothing went wrong", () => assert.deepEqual(errors, []));
+
+// Names of an engine's channels and bodies are its own: one that is called as a quantity of ours can be asked for.
+test("channels with the names of quantities, and pairs of names with \" and \"", () => {
+  const channels = [{ name: "speed", unit: "rpm" }, { name: "heat", unit: "K" }];
+  const rows = { step: [0, 1], speed: [0, 9], speed_body: [1, 1], channels: { speed: [70, 80], heat: [1, 2] } };
+  const ours = parse_query("speed > 5", channels);
+  assert.equal(ours.unit, "m/s");
+  assert.equal(find_runs(ours, rows).runs[0].first, 1);
+  const theirs = parse_query("channel.speed > 75 rpm", channels);
+  assert.deepEqual([theirs.kind, theirs.quantity, theirs.bound], ["steps", "speed", 75]);
+  assert.equal(find_runs(theirs, rows).runs[0].peak, 80);
+  const of_body = parse_query("channel.speed of wheel > 5", channels);
+  assert.deepEqual([of_body.kind, of_body.quantity, of_body.body], ["channel steps", "speed", "wheel"]);
+  assert.equal(parse_query("channel.nothing > 5", channels).kind, "wrong");
+  const is_body = (name) => ["nut and bolt", "plate"].includes(name);
+  assert.deepEqual(pair_in("nut and bolt and plate", is_body), ["nut and bolt", "plate"]);
+  assert.deepEqual(pair_in("plate and nut and bolt", is_body), ["plate", "nut and bolt"]);
+  assert.deepEqual(pair_in("1 and 2", () => true), ["1", "2"]);
+  assert.deepEqual(pair_in("1", () => true), ["1"]);
+});

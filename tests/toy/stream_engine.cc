@@ -4,10 +4,12 @@
 //   stream_engine --log FILE [--inputs FILE] [--kick STEP:BODY:VALUE]… [--steps N] [--dt S] [--pause MS]
 //                 [--angle STEP:VALUE] [--seed STEP:VALUE] [--grip STEP:VALUE] [--move STEP:VALUE] [--extra]
 //                 [--nan STEP] [--stretched STEP] [--crash STEP] [--hang STEP] [--open] [--table]
+//                 [--sphere BODY] [--late] [--poke STEP]
 //
 // --angle, --seed, --grip, --move: another value of a channel, or of a position, in that step. --extra: a channel more.
 // --stretched: an orientation of length 2 in that step, which no log can hold. --crash, --hang: in that step. --open:
-// ends well without closing the recorder. --table: rows instead of a stream.
+// ends well without closing the recorder. --table: rows instead of a stream. --sphere: that body is one. --late: a
+// third body, which stands, appears before step 5. --poke: one more input by name in that step.
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -41,11 +43,11 @@ struct Kick {
 
 struct Options {
   std::string log, inputs;
-  std::uint64_t steps = 40, nan = 0, stretched = 0, crash = 0, hang = 0, pause_ms = 0;
+  std::uint64_t steps = 40, nan = 0, stretched = 0, crash = 0, hang = 0, pause_ms = 0, sphere = 0, poke = 0;
   double dt = 0.015625;
   At angle, seed, grip, move;
   std::vector<Kick> kicks;
-  bool extra = false, open = false, table = false;
+  bool extra = false, open = false, table = false, late = false;
 };
 
 [[noreturn]] void stop(const std::string& message) {
@@ -63,12 +65,13 @@ At at_of(const std::string& text) {
 Options read_options(int argc, char** argv) {
   Options o;
   std::map<std::string, std::string*> texts = {{"--log", &o.log}, {"--inputs", &o.inputs}};
-  std::map<std::string, std::uint64_t*> numbers = {{"--steps", &o.steps},         {"--nan", &o.nan},
-                                                   {"--stretched", &o.stretched}, {"--crash", &o.crash},
-                                                   {"--hang", &o.hang},           {"--pause", &o.pause_ms}};
+  std::map<std::string, std::uint64_t*> numbers = {
+      {"--steps", &o.steps}, {"--nan", &o.nan},        {"--stretched", &o.stretched}, {"--crash", &o.crash},
+      {"--hang", &o.hang},   {"--pause", &o.pause_ms}, {"--sphere", &o.sphere},       {"--poke", &o.poke}};
   std::map<std::string, At*> ats = {
       {"--angle", &o.angle}, {"--seed", &o.seed}, {"--grip", &o.grip}, {"--move", &o.move}};
-  std::map<std::string, bool*> flags = {{"--extra", &o.extra}, {"--open", &o.open}, {"--table", &o.table}};
+  std::map<std::string, bool*> flags = {
+      {"--extra", &o.extra}, {"--open", &o.open}, {"--table", &o.table}, {"--late", &o.late}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (flags.contains(word)) {
@@ -134,14 +137,7 @@ class Engine {
     def.precision_bits = 53;
     def.gravity[2] = -9.81;
     rec_ = tumble_rec_create(&def);
-    for (std::uint64_t id = 1; id <= 2; ++id) {
-      TumbleRecBody body = {};
-      body.id = id;
-      body.mass = 1;
-      body.size[0] = body.size[1] = body.size[2] = 1;
-      body.state = state(id);
-      tumble_rec_body(rec_, &body);
-    }
+    for (std::uint64_t id = 1; id <= 2; ++id) add_body(id, state(id), false);
     tumble_rec_channel(rec_, "hinge.angle", TUMBLE_REC_OF_BODY, TUMBLE_REC_F64, &angle_);
     tumble_rec_channel(rec_, "random.seed", TUMBLE_REC_WORLD, TUMBLE_REC_I64, &seed_);
     tumble_rec_channel(rec_, "grip", TUMBLE_REC_OF_PAIR, TUMBLE_REC_F64, &grip_);
@@ -149,6 +145,13 @@ class Engine {
   }
 
   void step(std::uint64_t k) {
+    if (options_.late && k == 5 && rec_ != nullptr) {
+      TumbleRecState stands = {};
+      stands.position[0] = -50;
+      stands.orientation[0] = 1;
+      add_body(3, stands, true);
+    }
+    if (options_.poke == k && rec_ != nullptr) tumble_rec_input(rec_, "poke", 0, "x", 1);
     for (const Kick& kick : options_.kicks) {
       if (kick.step != k) continue;
       speed_[kick.body - 1] += kick.value;
@@ -172,6 +175,18 @@ class Engine {
   }
 
  private:
+  void add_body(std::uint64_t id, const TumbleRecState& state, bool is_static) {
+    TumbleRecBody body = {};
+    body.id = id;
+    body.mass = 1;
+    body.shape = options_.sphere == id ? TUMBLE_REC_SPHERE : TUMBLE_REC_BOX;
+    body.size[0] = body.size[1] = body.size[2] = 1;
+    if (options_.sphere == id) body.size[0] = 0.5;  // the box around it is that of a cube
+    body.is_static = is_static ? 1 : 0;
+    body.state = state;
+    tumble_rec_body(rec_, &body);
+  }
+
   [[nodiscard]] double time(std::uint64_t k) const { return static_cast<double>(k) * options_.dt; }
 
   [[nodiscard]] TumbleRecState state(std::uint64_t id) const {

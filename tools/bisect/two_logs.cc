@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "replay/diff/difference_report.h"
 #include "replay/diff/locate_divergence.h"
@@ -13,16 +14,19 @@
 
 namespace tumble::tools::bisect {
 
-Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b, bool json_wanted) {
+Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b, bool json_wanted, bool shared) {
   Result<replay::LogReader> a = open_log(path_a);
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(path_b);
   if (!b.ok()) return b.error();
   const process::InterruptGuard guard;
-  const Result<replay::LocatedDivergence> located = replay::diff_and_locate(
+  Result<replay::LocatedDivergence> located = replay::diff_and_locate(
       *a, *b, [](std::uint64_t, std::uint64_t) { return !process::InterruptGuard::interrupted(); });
   if (!located.ok()) return located.error();
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  const Sides sides = sides_of(path_a, path_b);
+  const std::string excused =
+      shared ? std::exchange(located->report.only_in, {}).text(sides.expected, sides.actual) : "";
   const replay::DiffReport& report = located->report;
   const std::size_t chunks = a->chunks().size() + b->chunks().size();
   const auto judge_both = [&] {
@@ -45,16 +49,15 @@ Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b
   if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
     std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
-    const Sides sides = sides_of(path_a, path_b);
     print_divergence(*report.first, sides);
     print_location(located->location, sides);
     std::cout << "  opened      " << located->chunks_opened << " chunks of " << chunks << '\n';
   } else {
-    const Sides sides = sides_of(path_a, path_b);
     std::cout << (report.identical() ? "identical: "
                                      : "different: " + printable(report.unequal(sides.expected, sides.actual)) +
                                            "; the same in all else that was compared: ")
               << count_text(report.steps, "step") << '\n';
+    if (!excused.empty()) std::cout << "  though " << printable(excused) << ", as --shared allows\n";
     if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
     print_scope(report.scope);
   }

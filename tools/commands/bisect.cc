@@ -52,6 +52,7 @@ struct BisectCommand {
   std::optional<std::uint64_t> asks, jobs;
   std::string cache;
   std::optional<double> cache_gb;
+  bool shared = false;
   bool json = false;
 };
 
@@ -244,6 +245,10 @@ Action declare_bisect(Arguments& arguments) {
       .flag("--auto", options->automatic,
             "Find the good revision too: back from the bad one, or from HEAD, by 1, 2, 4 … first parents")
       .excludes(good);
+  arguments
+      .flag("--shared", options->shared,
+            "Two logs: judge only what both have; a channel that one log alone has is named, and no difference")
+      .excludes(good);
   declare_question(arguments, *options);
   declare_building(arguments, *options);
   arguments.json(options->json);
@@ -261,7 +266,7 @@ Action declare_bisect(Arguments& arguments) {
   return [options] {
     const bool logs_alone =
         options->good.empty() && options->bad.empty() && !options->automatic && options->logs.size() == 2;
-    return logs_alone ? bisect::locate_in_logs(options->logs[0], options->logs[1], options->json)
+    return logs_alone ? bisect::locate_in_logs(options->logs[0], options->logs[1], options->json, options->shared)
                       : find_commit(*options);
   };
 }

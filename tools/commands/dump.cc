@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/arrays/pair_cell.h"
 #include "replay/session/state_source.h"
 #include "src/base/schema_name.h"
 #include "tools/arguments/arguments.h"
@@ -84,6 +85,7 @@ class Output {
 class CsvOutput : public Output {
  public:
   explicit CsvOutput(Told told) : Output(std::move(told)) {
+    if (needs_escapes(told_.declared, told_.bodies)) std::cout << replay::kEscapesLine;
     std::cout << "step,id";
     for (const char* name : kNames) std::cout << ',' << name;
     std::cout << ",frozen";

@@ -56,11 +56,14 @@ bool any_named(const replay::BodyTable& bodies) {
   return std::ranges::any_of(bodies.bodies(), [](const auto& entry) { return !entry.second.name.empty(); });
 }
 
-/// Text in a cell of a table, which has no quotes.
-std::string cell_text(std::string text) {
+/// A name in the head of a table, which has no quotes.
+std::string head_text(std::string text) {
   std::ranges::replace(text, ',', ';');
   return printable(text);
 }
+
+/// Text in a cell of a table: as it is, or with escapes.
+std::string cell_text(const std::string& text, bool escapes) { return escapes ? replay::text_cell(text) : text; }
 
 constexpr std::array<const char*, 3> kPrefixes = {"world", "channel", "pair"};  // by scope
 
@@ -132,10 +135,19 @@ void add_step_extras(const replay::Declared& declared, const replay::Extras& ext
 }
 
 std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part) {
-  std::string name = prefix + '.' + cell_text(channel.name);
+  std::string name = prefix + '.' + head_text(channel.name);
   if (!part.empty()) name += '.' + part;
   const bool has_unit = !channel.unit.empty() && part != "changes";
-  return has_unit ? name + " (" + cell_text(channel.unit) + ')' : name;
+  return has_unit ? name + " (" + head_text(channel.unit) + ')' : name;
+}
+
+bool needs_escapes(const replay::Declared& declared, const replay::BodyTable& bodies) {
+  const auto odd_name = [](const auto& body) {
+    const std::string& name = body.second.name;
+    return !name.empty() && replay::text_cell(name) != name;
+  };
+  const auto is_text = [](const replay::Channel& channel) { return channel.type.kind == ChannelKind::kText; };
+  return std::ranges::any_of(bodies.bodies(), odd_name) || std::ranges::any_of(declared.channels, is_text);
 }
 
 std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies) {
@@ -150,7 +162,9 @@ std::vector<std::string> extra_columns(const replay::Declared& declared, const r
 std::vector<std::string> extra_cells(const replay::Declared& declared, const replay::BodyTable& bodies,
                                      const replay::Extras& extras, sim::BodyId id) {
   std::vector<std::string> cells;
-  if (any_named(bodies)) cells.push_back(cell_text(bodies.name(id)));
+  const bool escapes = needs_escapes(declared, bodies);
+  const std::string named = bodies.name(id);
+  if (any_named(bodies)) cells.push_back(cell_text(named, escapes && !named.empty()));
   for (std::size_t i = 0; i < declared.channels.size(); ++i) {
     const auto& [name, type, unit] = declared.channels[i];
     const replay::ChannelValues& values = extras.values(i);
@@ -159,7 +173,8 @@ std::vector<std::string> extra_cells(const replay::Declared& declared, const rep
       continue;
     }
     const std::optional<std::size_t> row = row_of(values, type.scope == ChannelScope::kBody ? id : 0);
-    cells.push_back(row ? cell_text(full_text(values.value(*row, type.kind), type.kind)) : "");
+    const bool is_text = escapes && type.kind == ChannelKind::kText;
+    cells.push_back(row ? cell_text(full_text(values.value(*row, type.kind), type.kind), is_text) : "");
   }
   return cells;
 }

@@ -73,180 +73,180 @@ media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .session .view
 nmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: table-row-group; }\n  .session thead { displa\
 y: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem \
 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type=\
-"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var Z0="uplot",J0="u-hz",K0="u-vt",j0="u-title",Q0="u-wrap",e_="u-under",t_="u-over",n_="u-axis",qs="u-off",i_="u-select",s_="u-cursor-x",r_="u-cursor-y",o_="u-\
-cursor-pt",a_="u-legend",l_="u-live",c_="u-inline",h_="u-series",u_="u-marker",of="u-label",d_="u-value",So="width",wo="height";var af="bottom",br="left",yh="right",Fh="#000",lf=Fh+"0",vh="mousemove",cf="mousedown",bh="mouseup",hf="mouseenter",uf="mouseleave",df="dblclick",f_="resize",p_="\
-scroll",ff="change",Da="dppxchange",Oh="--",Cr=typeof window<"u",Ah=Cr?document:null,Sr=Cr?window:null,m_=Cr?navigator:null,wt,Pa;function Eh(){let i=devicePixelRatio;
+"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var K0="uplot",j0="u-hz",Q0="u-vt",e_="u-title",t_="u-wrap",n_="u-under",i_="u-over",s_="u-axis",qs="u-off",r_="u-select",o_="u-cursor-x",a_="u-cursor-y",l_="u-\
+cursor-pt",c_="u-legend",h_="u-live",u_="u-inline",d_="u-series",f_="u-marker",of="u-label",p_="u-value",So="width",wo="height";var af="bottom",br="left",yh="right",Fh="#000",lf=Fh+"0",vh="mousemove",cf="mousedown",bh="mouseup",hf="mouseenter",uf="mouseleave",df="dblclick",m_="resize",g_="\
+scroll",ff="change",Da="dppxchange",Oh="--",Cr=typeof window<"u",Ah=Cr?document:null,Sr=Cr?window:null,__=Cr?navigator:null,wt,Pa;function Eh(){let i=devicePixelRatio;
 wt!=i&&(wt=i,Pa&&Rh(ff,Pa,Eh),Pa=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Ys(ff,Pa,Eh),Sr.dispatchEvent(
 new CustomEvent(Da)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Ch(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
 i.style[e]=t+"px"}function mi(i,e,t,n){let s=Ah.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function oi(i,e){return mi("div",i,e)}var pf=new WeakMap;
 function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=pf.get(i);r!=o&&(i.style.transform=r,pf.set(i,r),e<0||t<0||e>n||t>s?Yn(i,qs):Ch(i,qs))}var mf=new WeakMap;
 function gf(i,e,t){let n=e+t,s=mf.get(i);n!=s&&(mf.set(i,n),i.style.background=e,i.style.borderColor=t)}var _f=new WeakMap;function xf(i,e,t,n){let s=e+""+t,r=_f.
-get(i);s!=r&&(_f.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Bh={passive:!0},g_={...Bh,
-capture:!0};function Ys(i,e,t,n){e.addEventListener(i,t,n?g_:Bh)}function Rh(i,e,t,n){e.removeEventListener(i,t,Bh)}Cr&&Eh();function gi(i,e,t,n){let s;t=t||0,n=
+get(i);s!=r&&(_f.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Bh={passive:!0},x_={...Bh,
+capture:!0};function Ys(i,e,t,n){e.addEventListener(i,t,n?x_:Bh)}function Rh(i,e,t,n){e.removeEventListener(i,t,Bh)}Cr&&Eh();function gi(i,e,t,n){let s;t=t||0,n=
 n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function $f(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
-s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var qf=i=>i!=null,Yf=i=>i!=null&&i>0,Oa=$f(qf),__=$f(Yf);function x_(i,e,t,n=0,s=!1){
-let r=s?__:Oa,o=s?Yf:qf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
+s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var qf=i=>i!=null,Yf=i=>i!=null&&i>0,Oa=$f(qf),y_=$f(Yf);function v_(i,e,t,n=0,s=!1){
+let r=s?y_:Oa,o=s?Yf:qf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
 a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function Ba(i,e,t,n){let s=bf(i),r=bf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Ji:Zf,a=s==1?Zn:ai,l=r==1?ai:Zn,
 c=a(o(dn(i))),d=l(o(dn(e))),u=wr(t,c),h=wr(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=Qf(i,u),e=ka(e,h)),[i,e]}function kh(i,e,t,n){
-let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,yf={mode:3,pad:zh},Ao={pad:0,soft:null,mode:0},y_={min:Ao,max:Ao};function Ua(i,e,t,n){return za(
-t)?vf(i,e,t):(Ao.pad=t,Ao.soft=n?0:null,Ao.mode=n?3:0,vf(i,e,y_))}function Mt(i,e){return i??e}function v_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
+let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,yf={mode:3,pad:zh},Ao={pad:0,soft:null,mode:0},b_={min:Ao,max:Ao};function Ua(i,e,t,n){return za(
+t)?vf(i,e,t):(Ao.pad=t,Ao.soft=n?0:null,Ao.mode=n?3:0,vf(i,e,b_))}function Mt(i,e){return i??e}function M_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function vf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
-u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Un(dn(i),dn(e)),m=Ji(y),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
+u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Un(dn(i),dn(e)),g=Ji(y),m=dn(g-p);(f<1e-24||m>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
 0)));let x=f||y||1e3,w=Ji(x),b=wr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Un(a,S<_&&i>=_?_:_i(_,S)),
-R=x*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Un(I,P));return M==F&&M==0&&(F=100),[M,F]}var b_=new Intl.
-NumberFormat(Cr?m_.language:"en-US"),Vh=i=>b_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Un=Jn.max,wr=Jn.pow,bf=Jn.sign,Ji=Jn.
-log10,Zf=Jn.log2,M_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Ji((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Un(i,e),
-t)}function Jf(i){return typeof i=="function"}function gt(i){return Jf(i)?i:()=>i}var S_=()=>{},Kf=i=>i,jf=(i,e)=>e,w_=i=>null,Sf=i=>!0,wf=(i,e)=>i==e,T_=/\.\d*?(?=9{6,}|0{6,})/gm,
-Zs=i=>{if(tp(i)||Ms.has(i))return i;let e="".concat(i),t=e.match(T_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+R=x*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Un(I,P));return M==F&&M==0&&(F=100),[M,F]}var S_=new Intl.
+NumberFormat(Cr?__.language:"en-US"),Vh=i=>S_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Un=Jn.max,wr=Jn.pow,bf=Jn.sign,Ji=Jn.
+log10,Zf=Jn.log2,w_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Ji((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Un(i,e),
+t)}function Jf(i){return typeof i=="function"}function gt(i){return Jf(i)?i:()=>i}var T_=()=>{},Kf=i=>i,jf=(i,e)=>e,A_=i=>null,Sf=i=>!0,wf=(i,e)=>i==e,E_=/\.\d*?(?=9{6,}|0{6,})/gm,
+Zs=i=>{if(tp(i)||Ms.has(i))return i;let e="".concat(i),t=e.match(E_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
 concat(Zs(s),"e").concat(r)}return Dt(i,n)};function Xs(i,e){return Zs(Dt(Zs(i/e))*e)}function ka(i,e){return Zs(ai(Zs(i/e))*e)}function Qf(i,e){return Zs(Zn(Zs(
 i/e))*e)}function Dt(i,e=0){if(tp(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ms=new Map;function ep(i){return((""+i).split(".")[1]||"").
 length}function Co(i,e,t,n){let s=[],r=n.map(ep);for(let o=e;o<t;o++){let a=dn(o),l=Dt(wr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ms.set(h,u)}}return s}var Eo={},Gh=[],Tr=[null,null],bs=Array.isArray,tp=Number.isInteger,A_=i=>i===
-void 0;function Tf(i){return typeof i=="string"}function za(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function E_(i){return i!=null&&
-typeof i=="object"}var C_=Object.getPrototypeOf(Uint8Array),np="__proto__";function Ar(i,e=za){let t;if(bs(i)){let n=i.find(s=>s!=null);if(bs(n)||e(n)){t=Array(
-i.length);for(let s=0;s<i.length;s++)t[s]=Ar(i[s],e)}else t=i.slice()}else if(i instanceof C_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=np&&(t[n]=Ar(i[n],
+o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ms.set(h,u)}}return s}var Eo={},Gh=[],Tr=[null,null],bs=Array.isArray,tp=Number.isInteger,C_=i=>i===
+void 0;function Tf(i){return typeof i=="string"}function za(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function R_(i){return i!=null&&
+typeof i=="object"}var P_=Object.getPrototypeOf(Uint8Array),np="__proto__";function Ar(i,e=za){let t;if(bs(i)){let n=i.find(s=>s!=null);if(bs(n)||e(n)){t=Array(
+i.length);for(let s=0;s<i.length;s++)t[s]=Ar(i[s],e)}else t=i.slice()}else if(i instanceof P_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=np&&(t[n]=Ar(i[n],
 e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=np&&(za(i[s])?on(i[s],Ar(n[s])):i[s]=Ar(n[s]))}return i}
-var R_=0,P_=1,I_=2;function L_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
-s++]=null}}}function N_(i,e){if(F_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return O_(o[0])||(o=U_(o)),o}let t=new Set;for(let o=0;o<
+var I_=0,L_=1,N_=2;function D_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
+s++]=null}}}function U_(i,e){if(B_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return k_(o[0])||(o=O_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
-n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:P_,f=[];for(let p=0;p<d.length;p++){
-let y=d[p],m=r.get(l[p]);y===null?h!=R_&&(u[m]=y,h==I_&&f.push(m)):u[m]=y}L_(u,f,s),n.push(u)}}return n}var D_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
-i):queueMicrotask;function U_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
-let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function F_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
-length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function O_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
+n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:L_,f=[];for(let p=0;p<d.length;p++){
+let y=d[p],g=r.get(l[p]);y===null?h!=I_&&(u[g]=y,h==N_&&f.push(g)):u[g]=y}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+i):queueMicrotask;function O_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
+let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function B_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
+length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function k_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
 null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Un(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
 var ip=["January","February","March","April","May","June","July","August","September","October","November","December"],sp=["Sunday","Monday","Tuesday","Wednesda\
-y","Thursday","Friday","Saturday"];function rp(i){return i.slice(0,3)}var B_=sp.map(rp),k_=ip.map(rp),z_={MMMM:ip,MMM:k_,WWWW:sp,WWW:B_};function Mo(i){return(i<
-10?"0":"")+i}function V_(i){return(i<10?"00":i<100?"0":"")+i}var G_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
+y","Thursday","Friday","Saturday"];function rp(i){return i.slice(0,3)}var z_=sp.map(rp),V_=ip.map(rp),G_={MMMM:ip,MMM:V_,WWWW:sp,WWW:z_};function Mo(i){return(i<
+10?"0":"")+i}function H_(i){return(i<10?"00":i<100?"0":"")+i}var W_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
 MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>Mo(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>Mo(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.
 getDay()],HH:i=>Mo(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?
-"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>Mo(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>Mo(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>V_(i.getMilliseconds())};
-function Hh(i,e){e=e||z_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?G_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
-o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var H_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function W_(i,e){let t;return e=="UTC"||e=="Etc/UT\
-C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==H_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var op=i=>i%
-1==0,Fa=[1,2,2.5,5],X_=Co(10,-32,0,Fa),ap=Co(10,0,32,Fa),$_=ap.filter(op),$s=X_.concat(ap),Wh="\n",lp="{YYYY}",Af=Wh+lp,cp="{M}/{D}",To=Wh+cp,Ia=To+"/{YY}",hp="\
-{aa}",q_="{h}:{mm}",Mr=q_+hp,Ef=Wh+Mr,Cf=":{ss}",Tt=null;function up(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Co(10,0,3,Fa).filter(op):Co(10,-3,
+"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>Mo(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>Mo(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>H_(i.getMilliseconds())};
+function Hh(i,e){e=e||G_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?W_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
+o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var X_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function $_(i,e){let t;return e=="UTC"||e=="Etc/UT\
+C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==X_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var op=i=>i%
+1==0,Fa=[1,2,2.5,5],q_=Co(10,-32,0,Fa),ap=Co(10,0,32,Fa),Y_=ap.filter(op),$s=q_.concat(ap),Wh="\n",lp="{YYYY}",Af=Wh+lp,cp="{M}/{D}",To=Wh+cp,Ia=To+"/{YY}",hp="\
+{aa}",Z_="{h}:{mm}",Mr=Z_+hp,Ef=Wh+Mr,Cf=":{ss}",Tt=null;function up(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Co(10,0,3,Fa).filter(op):Co(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
 o*25,o*50,o*100]),c=[[o,lp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Af,Tt,Tt,Tt,Tt,Tt,1],[s,cp,Af,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+hp,Ia,Tt,To,Tt,Tt,Tt,1],[t,Mr,Ia,Tt,To,Tt,
-Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,m,g)=>{let x=[],w=m>=o,b=m>=r&&
-m<o,C=u(p),S=Dt(C*i,3),_=Sh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let R=b?m/r:0,P=w?m/o:0,I=S==M?S:Dt(Sh(_.getFullYear()+P,_.
+Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,g,m)=>{let x=[],w=g>=o,b=g>=r&&
+g<o,C=u(p),S=Dt(C*i,3),_=Sh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let R=b?g/r:0,P=w?g/o:0,I=S==M?S:Dt(Sh(_.getFullYear()+P,_.
 getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=Sh(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
-x.push(I)}}else{let R=m>=s?s:m,P=Zn(p)-Zn(S),I=M+P+ka(S-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
-G;for(;I=Dt(I+m,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/m,3)*Y>=.7&&x.
-push(I)}else x.push(I)}return x}}return[l,c,d]}var[Y_,Z_,J_]=up(1),[K_,j_,Q_]=up(.001);Co(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),m=y.getFullYear(),
-g=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=m!=l&&a[2]||g!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-m,c=g,d=x,u=w,h=b,f=C,S(y)})}}function ex(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
-i)}var tx="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Lf(i,e){return(t,n,s,r)=>r==null?Oh:e(i(n))}function nx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
-points.width?t.points.stroke(i,e):null}function ix(i,e){return i.series[e].fill(i,e)}var sx={show:!0,live:!0,isolate:!1,mount:S_,markers:{show:!0,width:2,stroke:nx,
-fill:ix,dash:"solid"},idx:null,idxs:null,values:[]};function rx(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,So,s),zt(n,wo,s);let r=s/-2;zt(n,"marginLef\
-t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function ox(i,e){let t=i.series[e].points;return t._fill||t._stroke}function ax(i,e){
-let t=i.series[e].points;return t._stroke||t._fill}function lx(i,e){return i.series[e].points.size}var wh=[0,0];function cx(i,e,t){return wh[0]=e,wh[1]=t,wh}function La(i,e,t,n=!0){
-return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Th(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var hx={show:!0,x:!0,y:!0,lock:!1,move:cx,points:{one:!1,
-show:rx,size:lx,width:0,stroke:ax,fill:ox},bind:{mousedown:La,mouseup:La,click:La,dblclick:La,mousemove:Th,mouseleave:Th,mouseenter:Th},drag:{setScale:!0,x:!0,y:!1,
+x.push(I)}}else{let R=g>=s?s:g,P=Zn(p)-Zn(S),I=M+P+ka(S-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=g/n,G=h.axes[f]._space,Y=m/
+G;for(;I=Dt(I+g,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/g,3)*Y>=.7&&x.
+push(I)}else x.push(I)}return x}}return[l,c,d]}var[J_,K_,j_]=up(1),[Q_,ex,tx]=up(.001);Co(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),g=y.getFullYear(),
+m=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=g!=l&&a[2]||m!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+g,c=m,d=x,u=w,h=b,f=C,S(y)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
+i)}var ix="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Lf(i,e){return(t,n,s,r)=>r==null?Oh:e(i(n))}function sx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
+points.width?t.points.stroke(i,e):null}function rx(i,e){return i.series[e].fill(i,e)}var ox={show:!0,live:!0,isolate:!1,mount:T_,markers:{show:!0,width:2,stroke:sx,
+fill:rx,dash:"solid"},idx:null,idxs:null,values:[]};function ax(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,So,s),zt(n,wo,s);let r=s/-2;zt(n,"marginLef\
+t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function lx(i,e){let t=i.series[e].points;return t._fill||t._stroke}function cx(i,e){
+let t=i.series[e].points;return t._stroke||t._fill}function hx(i,e){return i.series[e].points.size}var wh=[0,0];function ux(i,e,t){return wh[0]=e,wh[1]=t,wh}function La(i,e,t,n=!0){
+return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Th(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var dx={show:!0,x:!0,y:!0,lock:!1,move:ux,points:{one:!1,
+show:ax,size:hx,width:0,stroke:cx,fill:lx},bind:{mousedown:La,mouseup:La,click:La,dblclick:La,mousemove:Th,mouseleave:Th,mouseenter:Th},drag:{setScale:!0,x:!0,y:!1,
 dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,
 bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},dp={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Xh=on({},dp,{filter:jf}),fp=on({},Xh,{size:10}),
 pp=on({},dp,{show:!1}),$h='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
 moji", "Segoe UI Symbol", "Noto Color Emoji"',mp="bold "+$h,gp=1.5,Nf={show:!0,scale:"x",stroke:Fh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:mp,
-side:2,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0},ux="Value",dx="Time",Df={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function fx(i,e,t,n,s){
-return e.map(r=>r==null?"":Vh(r))}function px(i,e,t,n,s,r,o){let a=[],l=Ms.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
+side:2,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0},fx="Value",px="Time",Df={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function mx(i,e,t,n,s){
+return e.map(r=>r==null?"":Vh(r))}function gx(i,e,t,n,s,r,o){let a=[],l=Ms.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
 return a}function Ih(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Ji:Zf,d=Zn(c(t));s=wr(l,d),l==10&&(s=$s[gi(s,$s)]);let u=t,h=s*l;l==10&&(h=
-$s[gi(h,$s)]);do a.push(u),u=u+s,l==10&&!Ms.has(u)&&(u=Dt(u,Ms.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=$s[gi(h,$s)]));while(u<=n);return a}function mx(i,e,t,n,s,r,o){
+$s[gi(h,$s)]);do a.push(u),u=u+s,l==10&&!Ms.has(u)&&(u=Dt(u,Ms.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=$s[gi(h,$s)]));while(u<=n);return a}function _x(i,e,t,n,s,r,o){
 let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ih(i,e,Un(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ih(i,e,Un(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
-var _p=/./,gx=/[12357]/,_x=/[125]/,Uf=/1/,Lh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function xx(i,e,t,n,s){let r=i.
-axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?_p:l(7,o)-d>=c?gx:l(5,o)-d>=c?_x:Uf;if(u==Uf){let h=dn(l(1,o)-d);if(h<c)return Lh(
-e.slice().reverse(),a.distr,u,ai(c/h)).reverse()}return Lh(e,a.distr,u,1)}function yx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
-2,o));return c<a?Lh(e.slice().reverse(),3,_p,ai(a/c)).reverse():e}function vx(i,e,t,n){return n==null?Oh:e==null?"":Vh(e)}var Ff={show:!0,scale:"y",stroke:Fh,space:30,
-gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:mp,side:3,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0};function bx(i,e){let t=3+(i||1)*2;return Dt(
-t*e,3)}function Mx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
+var _p=/./,xx=/[12357]/,yx=/[125]/,Uf=/1/,Lh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function vx(i,e,t,n,s){let r=i.
+axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?_p:l(7,o)-d>=c?xx:l(5,o)-d>=c?yx:Uf;if(u==Uf){let h=dn(l(1,o)-d);if(h<c)return Lh(
+e.slice().reverse(),a.distr,u,ai(c/h)).reverse()}return Lh(e,a.distr,u,1)}function bx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
+2,o));return c<a?Lh(e.slice().reverse(),3,_p,ai(a/c)).reverse():e}function Mx(i,e,t,n){return n==null?Oh:e==null?"":Vh(e)}var Ff={show:!0,scale:"y",stroke:Fh,space:30,
+gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:mp,side:3,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0};function Sx(i,e){let t=3+(i||1)*2;return Dt(
+t*e,3)}function wx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
 space*wt);return n[1]-n[0]<=c}var Of={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},xp=(i,e,t,n,s)=>s,Bf={show:!0,auto:!0,sorted:0,gaps:xp,alpha:1,facets:[on({},Of,
-{scale:"x"}),on({},Of,{scale:"y"})]},kf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:xp,alpha:1,points:{show:Mx,filter:null},values:null,min:Nt,max:-Nt,
-idxs:[],path:null,clip:null};function Sx(i,e,t,n,s){return t/10}var yp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},wx=on({},yp,{time:!1,
+{scale:"x"}),on({},Of,{scale:"y"})]},kf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:xp,alpha:1,points:{show:wx,filter:null},values:null,min:Nt,max:-Nt,
+idxs:[],path:null,clip:null};function Tx(i,e,t,n,s){return t/10}var yp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},Ax=on({},yp,{time:!1,
 ori:1}),zf={};function vp(i,e){let t=zf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
 t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(zf[i]=t)),t}var Er=1,Nh=2;function Js(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,y=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,g,m,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
-n=0,s=Mt(i.bands,Gh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Tx(i,e,t,n,s){
+width,y=a.height,g=i.valToPosH,m=i.valToPosV;return d.ori==0?t(s,l,c,d,u,g,m,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,m,g,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
+n=0,s=Mt(i.bands,Gh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Ex(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ki(i,e,t,n,s,r){
-return Js(i,e,(o,a,l,c,d,u,h,f,p,y,m)=>{let g=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=g(u(a[b],c,y,f)),_=g(h(l[b],
-d,m,p)),M=g(u(a[C],c,y,f)),R=g(h(r==1?d.max:d.min,d,m,p)),P=new Path2D(s);return w(P,M,R),w(P,S,R),w(P,S,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Js(i,e,(o,a,l,c,d,u,h,f,p,y,g)=>{let m=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=m(u(a[b],c,y,f)),_=m(h(l[b],
+d,g,p)),M=m(u(a[C],c,y,f)),R=m(h(r==1?d.max:d.min,d,g,p)),P=new Path2D(s);return w(P,M,R),w(P,S,R),w(P,S,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:Zh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
-d/2,c,n+r+d)}return o}function Ax(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Yh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
+d/2,c,n+r+d)}return o}function Cx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Yh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
-0&&y<l?r(i[y]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>Xs(e,i)}function bp(i){let e=i==0?Ga:
+0&&y<l?r(i[y]):f;let m=h+s;p=o>=0&&m>=0&&m<l?r(i[m]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>Xs(e,i)}function bp(i){let e=i==0?Ga:
 Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
 var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Rr=(i,e,t)=>{i.lineTo(e,t)},Pr=(i,e,t)=>{i.lineTo(t,e)},Wa=bp(0),Zh=bp(1),Mp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},Sp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},wp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Tp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Ap(i){
-return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,m)=>{let{pxRound:g,points:x}=o,w,b;c.ori==0?(w=Ga,b=Mp):(w=Ha,b=Sp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
-_=Dt(S*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
-d,m,p));w(M,Y+S,W),b(M,Y,W,S,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Ex=Ep(Rr),Cx=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,m)=>{
-[s,r]=Oa(l,s,r);let g=o.pxRound,x=z=>g(u(z,c,y,f)),w=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Rr,C=Ex):(b=Pr,C=Cx);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,g)=>{let{pxRound:m,points:x}=o,w,b;c.ori==0?(w=Ga,b=Mp):(w=Ha,b=Sp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
+_=Dt(S*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=m(u(a[G],c,y,f)),W=m(h(l[G],
+d,g,p));w(M,Y+S,W),b(M,Y,W,S,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,g)=>{
+[s,r]=Oa(l,s,r);let m=o.pxRound,x=z=>m(u(z,c,y,f)),w=z=>m(h(z,d,g,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
 clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[S==1?s:r]),Q=x(a[s]),se=x(a[r]),
 de=z(S==1?Q+1:se-1);for(let ue=S==1?s:r;ue>=s&&ue<=r;ue+=S){let ee=a[ue],xe=(S==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,w(W)),Y=D=G=
 W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,w(D),w(G),w(Y),w(W)),Ee!=null?(W=Ee,b(M,xe,w(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+S))}
 D!=null&&D!=G&&ce!=K&&C(M,K,w(D),w(G),w(Y),w(W))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?R=!0:D!=null&&b(M,x(a[z]),w(D))}let[I,F]=qh(t,n);if(o.
 fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=w(D),Y=x(a[s]),W=x(a[r]);S==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
-R&&z.push(...Yh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,m)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
-F)),_})}function Rx(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,m,g,x,w)=>{[a,l]=Oa(u,
-a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,m)),M=Q=>b(y(Q,f,w,g)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+R&&z.push(...Yh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,g)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
+F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,g,m,x,w)=>{[a,l]=Oa(u,
+a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,g)),M=Q=>b(y(Q,f,w,m)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
 flags:Er},I=P.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,R(I,Y,z)),R(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
 if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+S,R(I,W,z));let[ce,K]=qh(r,o);if(c.fill!=null||
 ce!=0){let Q=P.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);R(Q,W,de),R(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Yh(d,u,a,l,F,_,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,m,g,x,w)}return K!=0&&(P.band=K==2?[
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,g,m,x,w)}return K!=0&&(P.band=K==2?[
 Ki(r,o,a,l,I,-1),Ki(r,o,a,l,I,1)]:Ki(r,o,a,l,I,K)),P})}function Gf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
-if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Px(i){i=i||Eo;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,m)=>Js(
-f,p,(g,x,w,b,C,S,_,M,R,P,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
-ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
-_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,m),lt=new Map,new Set(ut).
-forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,m),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,m);Qt.unit==2?Ee=Re[0]*P:Ee=S(Re[0],
+if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Lx(i){i=i||Eo;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,g)=>Js(
+f,p,(m,x,w,b,C,S,_,M,R,P,I)=>{let F=m.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
+ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=m.fillTo(f,p,m.min,m.max,ue),me=F(
+_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(m.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,g),lt=new Map,new Set(ut).
+forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,g),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
+if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,g),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,g);Qt.unit==2?Ee=Re[0]*P:Ee=S(Re[0],
 b,P,M)-S(0,b,P,M),He=Gf(x,w,S,b,P,M,He),Me=He-Ee+D}else He=Gf(x,w,S,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
 (Pt?nt:0);Ee=F(Ph(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,m),$t=Re.values(f,p,y,m))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:m;Re>=y&&Re<=m;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
+new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,g),$t=Re.values(f,p,y,g))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?y:g;Re>=y&&Re<=g;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
 null?x[Re]:Re,Se=S(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Un(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
 null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he),
-se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Ix(i,e){
-let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,m,g)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,m,p)),b=W=>x(f(W,u,g,y)),C,S,_;d.ori==0?
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=m.width==0?m._fill:m._stroke??m._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,g,m)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,g,p)),b=W=>x(f(W,u,m,y)),C,S,_;d.ori==0?
 (C=Ga,_=Rr,S=wp):(C=Ha,_=Pr,S=Tp);let M=d.dir*(d.ori==0?1:-1),R=w(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=w(K);
 I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,S,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
 fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Yh(l,c,r,o,M,w,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Va(W,d.ori,p,y,m,g)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Lx(i){return Ix(Nx,i)}function Nx(i,e,t,n,s,r){let o=i.
+Va(W,d.ori,p,y,g,m)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
-3,i[h+1],e[h+1])}return a}var Dh=new Set;function Hf(){for(let i of Dh)i.syncRect(!0)}Cr&&(Ys(f_,Sr,Hf),Ys(p_,Sr,Hf,!0),Ys(Da,Sr,()=>{fn.pxRatio=wt}));var Dx=Cp(),
-Ux=Ap();function Wf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Uh(r,o,e,t))}function Fx(i,e){return i.map((t,n)=>n==
-0?{}:on({},e,t))}function Uh(i,e,t,n){return on({},e==0?t:n,i)}function Rp(i,e,t){return e==null?Tr:[e,t]}var Ox=Rp;function Bx(i,e,t){return e==null?Tr:Ua(e,t,
-zh,!0)}function Pp(i,e,t,n){return e==null?Tr:Ba(e,t,i.scales[n].log,!1)}var kx=Pp;function Ip(i,e,t,n){return e==null?Tr:kh(e,t,i.scales[n].log,!1)}var zx=Ip;function Vx(i,e,t,n,s){
+3,i[h+1],e[h+1])}return a}var Dh=new Set;function Hf(){for(let i of Dh)i.syncRect(!0)}Cr&&(Ys(m_,Sr,Hf),Ys(g_,Sr,Hf,!0),Ys(Da,Sr,()=>{fn.pxRatio=wt}));var Fx=Cp(),
+Ox=Ap();function Wf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Uh(r,o,e,t))}function Bx(i,e){return i.map((t,n)=>n==
+0?{}:on({},e,t))}function Uh(i,e,t,n){return on({},e==0?t:n,i)}function Rp(i,e,t){return e==null?Tr:[e,t]}var kx=Rp;function zx(i,e,t){return e==null?Tr:Ua(e,t,
+zh,!0)}function Pp(i,e,t,n){return e==null?Tr:Ba(e,t,i.scales[n].log,!1)}var Vx=Pp;function Ip(i,e,t,n){return e==null?Tr:kh(e,t,i.scales[n].log,!1)}var Gx=Ip;function Hx(i,e,t,n,s){
 let r=Un(Mf(i),Mf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ms.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Xf(i){let e,
-t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Gx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
+t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Wx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=oi(Z0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(j0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(Q0,c);Ys("\
-click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(e_,h);h.appendChild(d);let p=n.over=oi(t_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),m=Vf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Fx(i.series||[null],Bf),w=n.axes=Wf(i.axes||
+root=oi(K0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(e_,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(t_,c);Ys("\
+click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),g=Vf(
+y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let m=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),w=n.axes=Wf(i.axes||
 [],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let S=s==2?x[1].facets[0].scale:x[0].scale,_={axes:Yi,
 series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function R(v){let A=v.distr==3?N=>Ji(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>Mh(N,v.asinh):
 v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function P(v){let A=b[v];if(A==null){let N=(i.scales||Eo)[v]||Eo;if(N.
-from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==S?yp:wx,N),A.key=v;let U=A.time,H=A.range,J=bs(H);if((v!=S||s==
+from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==S?yp:Ax,N),A.key=v;let U=A.time,H=A.range,J=bs(H);if((v!=S||s==
 2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?yf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?yf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
-H=(fe,ve,Ne)=>ve==null?Tr:Ua(ve,Ne,ae)}A.range=gt(H||(U?Ox:v==S?A.distr==3?kx:A.distr==4?zx:Rp:A.distr==3?Pp:A.distr==4?Ip:Bx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||Sx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),w.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[S],
-F=I.distr,z,D;I.ori==0?(Yn(c,J0),z=r,D=o):(Yn(c,K0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Hh,ce=g==1?J_(Y):Q_(Y),K=Pf(Y,Rf(g==1?Z_:j_,W)),Q=Lf(Y,If(tx,W)),se=[],de=n.legend=on({},sx,i.legend),
-ue=n.cursor=on({},hx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
+H=(fe,ve,Ne)=>ve==null?Tr:Ua(ve,Ne,ae)}A.range=gt(H||(U?kx:v==S?A.distr==3?Vx:A.distr==4?Gx:Rp:A.distr==3?Pp:A.distr==4?Ip:zx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+A.clamp||Tx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),w.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[S],
+F=I.distr,z,D;I.ori==0?(Yn(c,j0),z=r,D=o):(Yn(c,Q0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/m))),W=i.fmtDate||Hh,ce=m==1?j_(Y):tx(Y),K=Pf(Y,Rf(m==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
+ue=n.cursor=on({},dx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Oh}if(ee)
-if(Ee=mi("table",a_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",of,v).
-textContent=Gt}else Yn(Ee,c_),de.live&&Yn(Ee,l_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Tr;let N=[],U=mi("tr",h_,He,
-He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,qs);let H=mi("th",null,U);if(xe.show){let fe=oi(u_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+if(Ee=mi("table",c_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",of,v).
+textContent=Gt}else Yn(Ee,u_),de.live&&Yn(Ee,h_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Tr;let N=[],U=mi("tr",d_,He,
+He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,qs);let H=mi("th",null,U);if(xe.show){let fe=oi(f_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
 dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=oi(of,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
 (xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=x.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
 isolate){let Ne=x.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);x.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
-!1),Je&&vt(hf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",d_,U);fe.textContent="--",N.push(fe)}return[U,
+!1),Je&&vt(hf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",p_,U);fe.textContent="--",N.push(fe)}return[U,
 N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(Ys(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
 (v==null||H==v)&&(Rh(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
 ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=$t=B=v,n.height=en=Re=A,$e=it=0,
@@ -261,32 +261,32 @@ bt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- 
 bt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],I,Fe,0),Zt=Ye==null?1/0:z(St[Ye],I,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
 Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
-ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function po(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,o_),Yn(N,v.class),Ni(N,-10,-10,
-B,Re),p.insertBefore(N,ot[A]),N}function hr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Tf(U)?Lf(Y,If(U,W)):U||Q:U||vx,v.label=v.label||(N?
-dx:ux)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Dx||w_,v.fillTo=gt(v.fillTo||Tx),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=Vf(v.pxAlign),v.stroke=
-gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=bx(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
-stroke,space:N*2,paths:Ux,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
+ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function po(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,l_),Yn(N,v.class),Ni(N,-10,-10,
+B,Re),p.insertBefore(N,ot[A]),N}function hr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Tf(U)?Lf(Y,If(U,W)):U||Q:U||Mx,v.label=v.label||(N?
+px:fx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Fx||A_,v.fillTo=gt(v.fillTo||Ex),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=Vf(v.pxAlign),v.stroke=
+gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=Sx(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
+stroke,space:N*2,paths:Ox,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
 U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=po(v,A)):
 A>0&&(N=po(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??x.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),x.splice(
 A,0,v),hr(x[A],A)}n.addSeries=ch;function Aa(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
 me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Xi(v,A){if(v._show=
 v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:S,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?$_:H?g==1?Y_:K_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
-U.distr==3?Ih:U.distr==4?mx:px)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
-values;v.values=bs(J)&&!bs(J[0])?gt(J):H?bs(J)?Pf(Y,Rf(J,W)):Tf(J)?ex(Y,J):J||K:J||fx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?xx:U.distr==3&&U.log==2?yx:jf)),
+bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?m==1?J_:Q_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+U.distr==3?Ih:U.distr==4?_x:gx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
+values;v.values=bs(J)&&!bs(J[0])?gt(J):H?bs(J)?Pf(Y,Rf(J,W)):Tf(J)?nx(Y,J):J||K:J||mx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?vx:U.distr==3&&U.log==2?bx:jf)),
 v.font=Xf(v.font),v.labelFont=Xf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
-oi(n_,h))}}function $i(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Nf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
+oi(s_,h))}}function $i(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Nf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
 !fe?un(Ff.size/2):0),Ne}let mo=n.padding=(i.padding||[$i,$i,$i,$i]).map(v=>gt(Mt(v,$i))),di=n._padding=mo.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?x[0].
 idxs:null,Wn=null,ms=!1;function go(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
 e=[[]]),Wn=e[0],qt=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
 !1){let N=I;N.auto(n,ms)?_o():xs(S,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=go;function _o(){ms=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/m):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
 A=null)),xs(S,v,A)}let ur,gs,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=lf,N??=Gh,U??="butt",H??=lf,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=gs&&(u.fillStyle=
 gs=H),A!=dr&&(u.lineWidth=dr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=gs&&(u.fillStyle=gs=A),v!=q&&(u.font=
 q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,ms)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
-U.length-1),fe=N.min==null?x_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
+U.length-1),fe=N.min==null?v_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
 for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[S]!=null&&H.auto(n,ms))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
-(G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],E_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
+(G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],R_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){x.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
@@ -305,12 +305,12 @@ function Et(v,A){let N=A?x[v].points:x[v],{stroke:U,fill:H,clip:J,flags:ae,_stro
 Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=L-Ne/2,bt=T-Ne/2,pt=$+Ne,Ye=he+Ne;De=new Path2D,De.rect(
 St,bt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
 ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=x[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Eo).band;bs(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
-bt.show&&Ye&&v_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Er|
+bt.show&&Ye&&M_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Er|
 Nh;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
 H,ae),tn(v,J,A)):fe&Nh?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Er&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
 Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=ur=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
 Map?A.forEach((N,U)=>{u.fillStyle=gs=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=w[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
-U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Vx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
+U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Hx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,St,bt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,bt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=bt=v[Ye],
 u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),y==1&&u.translate(-De,-De)}function fr(v){let A=!0;return w.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
 min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
@@ -320,15 +320,15 @@ let A=!0;return mo.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),
 let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,qn=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
 center",N==2?"top":af),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(L+$/2),J=qn);let Ws=Jf(A.label)?A.label(n,v,ve,Ne):A.label;
 u.fillText(Ws,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
-Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=m(A._pos*wt),Xn=(Zt+
+Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=g(A._pos*wt),Xn=(Zt+
 vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,H=U==1?Ln:0;let si=A.font[0],fi=A.align==1?br:A.align==2?yh:It>0?br:It<0?yh:U==0?"center":N==3?yh:br,Ii=It||U==1?"middle":N==2?"top":
-af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Nn=>m(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let qn=pi[Nn];if(qn!=null){U==0?H=ri[Nn]:
+af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Nn=>g(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let qn=pi[Nn];if(qn!=null){U==0?H=ri[Nn]:
 J=ri[Nn],qn=""+qn;let Ws=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Dn=0;Dn<Ws.length;Dn++){let tf=Ws[Dn];It?(u.save(),u.translate(H,J+Dn*$n),u.rotate(It),
 u.fillText(tf,0,0),u.restore()):u.fillText(tf,H,J+Dn*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
 grid;Li.show&&nn(ri,Li.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
 2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){x.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
 max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,In=!1,Rt=[];function sn(){In=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
-Yt||(D_(Od),Yt=!0)}function Ea(v,A=!1){Yt=!0,In=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
+Yt||(F_(Od),Yt=!0)}function Ea(v,A=!1){Yt=!0,In=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,br,$e),zt(f,"top",it),zt(f,So,B),zt(f,wo,Re),zt(p,br,$e),zt(p,"top",it),zt(p,So,B),zt(p,wo,Re),zt(h,So,$t),zt(h,wo,en),d.width=un($t*wt),d.height=un(en*
 wt),w.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
 zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ch(v,qs)}else Yn(v,qs)}),ur=gs=dr=k=j=q=Z=Te=E=null,Pe=1,vo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
@@ -338,22 +338,22 @@ zt(xr,N,Bt[N])}Se=$e,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}$t>0&&en>0&&(u.clearRe
 ie&&(Ca(Bt),ie=!1),me&&te&&(Hs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(fh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),ms=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
 !1?xs(S,I.min,I.max):Tn()};function hh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
 A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==S&&N.distr==2&&qt>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
-A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=hh;let uh,dh,pr,mr,Bd,kd,gr,_r,zd,Vd,Ot,Ht,_s=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(uh=oi(s_,p)),ue.y&&(dh=oi(r_,p)),
-I.ori==0?(pr=uh,mr=dh):(pr=dh,mr=uh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),xr=Bt.show?oi(i_,Bt.over?
-p:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in mh&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function D0(v){if(x[v].show)ee&&
+A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=hh;let uh,dh,pr,mr,Bd,kd,gr,_r,zd,Vd,Ot,Ht,_s=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(uh=oi(o_,p)),ue.y&&(dh=oi(a_,p)),
+I.ori==0?(pr=uh,mr=dh):(pr=dh,mr=uh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),xr=Bt.show?oi(r_,Bt.over?
+p:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in mh&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function F0(v){if(x[v].show)ee&&
 Ch(nt[v],qs);else if(ee&&Yn(nt[v],qs),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function xs(v,A,N){hh(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
-null&&k0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,D0(J),s==2?(xs(H.facets[0].scale,null,null),xs(H.facets[1].scale,null,null)):xs(
-H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&bo("setSeries",n,v,A)}n.setSeries=Ri;function U0(v,A){on(C[v],A)}function F0(v,A){v.fill=gt(v.fill||null),
-v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function O0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=F0,n.setBand=U0,n.delBand=O0;function B0(v,A){x[v].alpha=
-A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Zi,ys,Gs,yr={focus:!0};function k0(v){if(v!=Gs){let A=v==null,N=Oe.alpha!=1;x.
-forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&B0(H,J?1:Oe.alpha)}}),Gs=v,N&&Tn()}}ee&&Je&&vt(uf,Ee,v=>{ue._lock||(Ze(v),Gs!=null&&Ri(null,
+null&&V0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,F0(J),s==2?(xs(H.facets[0].scale,null,null),xs(H.facets[1].scale,null,null)):xs(
+H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&bo("setSeries",n,v,A)}n.setSeries=Ri;function O0(v,A){on(C[v],A)}function B0(v,A){v.fill=gt(v.fill||null),
+v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function k0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=B0,n.setBand=O0,n.delBand=k0;function z0(v,A){x[v].alpha=
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Zi,ys,Gs,yr={focus:!0};function V0(v){if(v!=Gs){let A=v==null,N=Oe.alpha!=1;x.
+forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&z0(H,J?1:Oe.alpha)}}),Gs=v,N&&Tn()}}ee&&Je&&vt(uf,Ee,v=>{ue._lock||(Ze(v),Gs!=null&&Ri(null,
 yr,!0,rn.setSeries))});function Pi(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:$e));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
-H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?M_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function z0(v,A){let N=Pi(v,S,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
-v=>gi(v,e[0]),n.posToIdx=z0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
+H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?w_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function G0(v,A){let N=Pi(v,S,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
+v=>gi(v,e[0]),n.posToIdx=G0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
 Hs(null,A,N)};function Gd(v,A){zt(xr,br,Bt.left=v),zt(xr,So,Bt.width=A)}function Hd(v,A){zt(xr,"top",Bt.top=v),zt(xr,wo,Bt.height=A)}let xo=I.ori==0?Gd:Hd,yo=I.
-ori==1?Gd:Hd;function V0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
-A[U]}}function fh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):A_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
-s==1&&!lt)&&G0(N,se[N]);V0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=fh;function G0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
+ori==1?Gd:Hd;function H0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
+A[U]}}function fh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):C_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
+s==1&&!lt)&&W0(N,se[N]);H0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=fh;function W0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
 n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Hs(v,A,N){zd=Ot,Vd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(pr&&Ni(pr,un(Ot),0,
 B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Zi=Nt,ys=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<x.length;fe++){
 let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,yr,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
@@ -383,66 +383,66 @@ U)):(Ot=N,Ht=U)}let mh={width:0,height:0,left:0,top:0};function gh(){Ca(mh,!1)}l
 H,J,ae,!0,!1),v!=null&&(vt(bh,Ah,Jd,!1),bo(cf,n,gr,_r,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Xd=fe,$d=ve,qd=Ne,Yd=De}function Jd(v,A,N,U,H,J,ae){
 _s=Sn._x=Sn._y=!1,ph(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Xd!=fe||$d!=ve||qd!=Ne||Yd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
 Fe&&tt){let St=fe,bt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,bt=De,pt=fe,Ye=Ne),_n&&xs(S,Pi(St,S),Pi(St+bt,S)),xn)for(let We in b){let kt=b[We];We!=S&&kt.from==null&&
-kt.min!=Nt&&xs(We,Pi(pt+Ye,We),Pi(pt,We))}gh()}else ue.lock&&(ue._lock=!ue._lock,Hs(A,!0,v!=null));v!=null&&(cn(bh,Ah),bo(bh,n,Ot,Ht,B,Re,null))}function H0(v,A,N,U,H,J,ae){
+kt.min!=Nt&&xs(We,Pi(pt+Ye,We),Pi(pt,We))}gh()}else ue.lock&&(ue._lock=!ue._lock,Hs(A,!0,v!=null));v!=null&&(cn(bh,Ah),bo(bh,n,Ot,Ht,B,Re,null))}function X0(v,A,N,U,H,J,ae){
 if(ue._lock)return;Ze(v);let fe=_s;if(_s){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
 ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Hs(null,!0,!0),_s=!1}Ot=-10,Ht=-10,se.fill(null),Hs(null,!0,!0),fe&&(_s=fe)}function Kd(v,A,N,U,H,J,ae){ue._lock||(Ze(
-v),_o(),gh(),v!=null&&bo(df,n,Ot,Ht,B,Re,null))}function jd(){w.forEach(Gx),O(n.width,n.height,!0)}Ys(Da,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
-Jd,vr.dblclick=Kd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(cf,p,Zd),vt(vh,p,Wd),vt(hf,p,v=>{Ze(v),vo(!1)}),vt(uf,p,H0),
+v),_o(),gh(),v!=null&&bo(df,n,Ot,Ht,B,Re,null))}function jd(){w.forEach(Wx),O(n.width,n.height,!0)}Ys(Da,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
+Jd,vr.dblclick=Kd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(cf,p,Zd),vt(vh,p,Wd),vt(hf,p,v=>{Ze(v),vo(!1)}),vt(uf,p,X0),
 vt(df,p,Kd),Dh.add(n),n.syncRect=vo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){In?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
 []).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[S,x[1]?
 x[1].scale:null],match:[wf,wf,Qd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Qd),ue.sync=rn;let ef=rn.key,_h=vp(ef);function bo(v,A,N,U,H,J,ae){
-rn.filters.pub(v,A,N,U,H,J,ae)&&_h.pub(v,A,N,U,H,J,ae)}_h.sub(n);function W0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=W0;function X0(){
-_h.unsub(n),Dh.delete(n),gn.clear(),Rh(Da,Sr,jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=X0;function xh(){yn("init",i,e),go(e||i.data,!1),G[S]?hh(S,G[S]):
+rn.filters.pub(v,A,N,U,H,J,ae)&&_h.pub(v,A,N,U,H,J,ae)}_h.sub(n);function $0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=$0;function q0(){
+_h.unsub(n),Dh.delete(n),gn.clear(),Rh(Da,Sr,jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=q0;function xh(){yn("init",i,e),go(e||i.data,!1),G[S]?hh(S,G[S]):
 _o(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(hr),w.forEach(Xi),t?t instanceof HTMLElement?(t.appendChild(c),xh()):t(
-n,xh):xh(),n}fn.assign=on;fn.fmtNum=Vh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=kh;fn.orient=Js;fn.pxRatio=wt;fn.join=N_;fn.fmtDate=Hh,fn.tzDate=W_;fn.sync=vp;
-{fn.addGap=Ax,fn.clipGaps=Va;let i=fn.paths={points:Ap};i.linear=Cp,i.stepped=Rx,i.bars=Px,i.spline=Lx}function ji(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
+n,xh):xh(),n}fn.assign=on;fn.fmtNum=Vh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=kh;fn.orient=Js;fn.pxRatio=wt;fn.join=U_;fn.fmtDate=Hh,fn.tzDate=$_;fn.sync=vp;
+{fn.addGap=Cx,fn.clipGaps=Va;let i=fn.paths={points:Ap};i.linear=Cp,i.stepped=Ix,i.bars=Lx,i.spline=Dx}function ji(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
 leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function Xa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
 "change",i)}var Di=(i={})=>Object.assign(Object.create(null),i);function X(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}
 function An(i){if(i==null)return"\u2013";let e=Math.abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(
 4))," mm"):e>=1e-6?"".concat(Number((i*1e6).toPrecision(4))," \xB5m"):"".concat(Number(i.toPrecision(3)).toExponential()," m")}function Ro(i){return i==null?"\u2013":
-"".concat(Number(i.toPrecision(5))," J")}var Lp=210,Hx=[{title:"Energy",group:"energy",unit:Ro,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
+"".concat(Number(i.toPrecision(5))," J")}var Lp=210,Xx=[{title:"Energy",group:"energy",unit:Ro,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:An,lines:[{label:"lateral error",column:"lat\
 eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:An,lines:[{label:"hi\
-ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Wx(i){return(i.channels??[]).map(({key:e,name:t,
+ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function $x(i){return(i.channels??[]).map(({key:e,name:t,
 unit:n,one:s})=>{let r=o=>({label:s?"value":o,column:"".concat(e," ").concat(o),source:e});return{title:"Channel ".concat(t),unit:o=>o==null?"\u2013":"".concat(
 Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var Jh=i=>i===void 0||i.every(e=>e===
-null);function Xx(i,e){let t=i.lines.filter(r=>!Jh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
-let o=e.expected[r.source];!o||Jh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function $x(i,e,t,n){
+null);function qx(i,e){let t=i.lines.filter(r=>!Jh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
+let o=e.expected[r.source];!o||Jh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function Yx(i,e,t,n){
 let s=(a,l)=>i.unit(l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.
 dash,spanGaps:!0,points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{
-show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function qx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
-t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function Yx(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
+show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function Zx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
+t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function Jx(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
 save(),o.strokeStyle=e.bad,o.lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),
-o.restore()}}function Zx(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
-...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function Jx(i,e,t,n){let{lines:s,rings:r,table:o}=Xx(i,t);if(o===null)return null;let a=ji(),l={
-width:e.clientWidth,height:Lp,scales:{x:{time:!1},y:{range:qx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:Zx(i,a),series:$x(
-i,s,r,a),hooks:{draw:[Yx(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Kx(i,e){let t=i.lines.filter(n=>!Jh(e.actual?.[n.column])).map(n=>{
+o.restore()}}function Kx(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
+...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function jx(i,e,t,n){let{lines:s,rings:r,table:o}=qx(i,t);if(o===null)return null;let a=ji(),l={
+width:e.clientWidth,height:Lp,scales:{x:{time:!1},y:{range:Zx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:Kx(i,a),series:Yx(
+i,s,r,a),hooks:{draw:[Jx(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Qx(i,e){let t=i.lines.filter(n=>!Jh(e.actual?.[n.column])).map(n=>{
 let s=e.actual[n.column].at(-1),r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(
-r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Np(i,e,{first:t,groups:n}){let s=[...Hx.filter(d=>n.includes(d.group)),...Wx(e)],r="\
+r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Np(i,e,{first:t,groups:n}){let s=[...Xx.filter(d=>n.includes(d.group)),...$x(e)],r="\
 Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(
 t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute(
-"role","img"),u.setAttribute("aria-label",Kx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
-Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>Jx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
+"role","img"),u.setAttribute("aria-label",Qx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
+Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>jx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
 hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Lp})})},show_step(d){
-for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var jx=700,Kh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Dp(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var ey=700,Kh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Dp(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
 '"]'));if(!e("expected")||!e("actual"))return;let t=Kh(e("expected"),"expected"),n=Kh(e("actual"),"actual"),s=e("difference")?Kh(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
 blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=w=>{n.style.clipPath="inset(0 0 0 ".concat(
 w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
-ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let w=f!==null;if(m(),g(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},jx)}),
-h.addEventListener("click",()=>{m(),g(!p),y(Number(c.value))}),m(),g(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
+ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},g=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},m=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{g(),m(!1),y(Number(c.value))}),u.addEventListener("\
+click",()=>{let w=f!==null;if(g(),m(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},ey)}),
+h.addEventListener("click",()=>{g(),m(!p),y(Number(c.value))}),g(),m(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,x))}var Op={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Bp=Object.
-keys(Op),Up={name:i=>i.dataset.name,verdict:i=>Bp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Qx=(i,e)=>i<
-e?-1:i>e?1:0;function ey(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Qx(Up[e](s),Up[e](r)));i.append(...n)}function ty(i){let e=[...i.querySelectorAll("th[dat\
+keys(Op),Up={name:i=>i.dataset.name,verdict:i=>Bp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},ty=(i,e)=>i<
+e?-1:i>e?1:0;function ny(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*ty(Up[e](s),Up[e](r)));i.append(...n)}function iy(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
-"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),ey(i.tBodies[0],t.dataset.sort,s)})}}
+"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),ny(i.tBodies[0],t.dataset.sort,s)})}}
 function Fp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
-bel",{},i,n)}}function kp(i){ty(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
+bel",{},i,n)}}function kp(i){iy(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
 n=Fp("Verdict",Bp.filter(l=>t("verdict").includes(l)),l=>Op[l]),s=Fp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
@@ -451,7 +451,7 @@ X("label",{},"Name",r),o))}var xm=0,Pu=1,ym=2;var ua=1,vm=2,ro=3,Fs=0,kn=1,Vi=2,
 bl=4,Ml=5,Sl=6,wl=7,jl=0,km=1,zm=2,Gi=0,Fu=1,Ou=2,Bu=3,ku=4,zu=5,Vu=6,Gu=7;var Hu=300,ir=301,ao=302,Ql=303,ec=304,Tl=1e3,Oi=1001,Al=1002,Mn=1003,Vm=1004;var da=1005;var On=1006,tc=1007;var us=1008;var Hn=1009,Wu=1010,Xu=1011,lo=1012,nc=1013,Mi=1014,ui=1015,Si=1016,ic=1017,sc=1018,sr=1020,$u=35902,qu=35899,Yu=1021,Zu=1022,wi=1023,rs=1026,ds=1027,rc=1028,oc=1029,
 Os=1030,ac=1031;var lc=1033,fa=33776,pa=33777,ma=33778,ga=33779,cc=35840,hc=35841,uc=35842,dc=35843,fc=36196,pc=37492,mc=37496,gc=37488,_c=37489,_a=37490,xc=37491,yc=37808,vc=37809,
 bc=37810,Mc=37811,Sc=37812,wc=37813,Tc=37814,Ac=37815,Ec=37816,Cc=37817,Rc=37818,Pc=37819,Ic=37820,Lc=37821,Nc=36492,Dc=36494,Uc=36495,Fc=36283,Oc=36284,xa=36285,
-Bc=36286;var Bo=2300,El=2301,gl=2302,Mu=2303,Su=2400,wu=2401,Tu=2402;var Gm=3200;var kc=0,Hm=1,fs="",Qn="srgb",ko="srgb-linear",zo="linear",At="srgb";var _l=7680;var Wm=519,Xm=512,$m=513,qm=514,Ju=515,Ym=516,Zm=517,Ku=518,ju=519,Jm=35044;var Qu="300 es",ci=2e3,Zr=2001;function ny(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function iy(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Vo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Km(){
+Bc=36286;var Bo=2300,El=2301,gl=2302,Mu=2303,Su=2400,wu=2401,Tu=2402;var Gm=3200;var kc=0,Hm=1,fs="",Qn="srgb",ko="srgb-linear",zo="linear",At="srgb";var _l=7680;var Wm=519,Xm=512,$m=513,qm=514,Ju=515,Ym=516,Zm=517,Ku=518,ju=519,Jm=35044;var Qu="300 es",ci=2e3,Zr=2001;function sy(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function ry(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Vo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Km(){
 let i=Vo("canvas");return i.style.display="block",i}var zp={},Jr=null;function ed(...i){let e="THREE."+i.shift();Jr?Jr("log",e,...i):console.log(e,...i)}function jm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
 t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function qe(...i){
 i=jm(i);let e="THREE."+i.shift();if(Jr)Jr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
@@ -471,10 +471,10 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},En=["00","01","02","03","0
 4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f\
 4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var jh=Math.PI/180,Cl=180/Math.PI;function ya(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
 0;return(En[i&255]+En[i>>8&255]+En[i>>16&255]+En[i>>24&255]+"-"+En[e&255]+En[e>>8&255]+"-"+En[e>>16&15|64]+En[e>>24&255]+"-"+En[t&63|128]+En[t>>8&255]+"-"+En[t>>
-16&255]+En[t>>24&255]+En[n&255]+En[n>>8&255]+En[n>>16&255]+En[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function sy(i,e){return(i%
+16&255]+En[t>>24&255]+En[n&255]+En[n>>8&255]+En[n>>16&255]+En[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function oy(i,e){return(i%
 e+e)%e}function Qh(i,e,t){return(1-t)*i+t*e}function tg(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function td(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
-return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function ry(i,e){if(e.constructor===Float32Array)return i;let t=td(e);if(t===
-void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function oy(i,e){if(e.constructor===Float32Array)return i;let t=td(e);
+return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function ay(i,e){if(e.constructor===Float32Array)return i;let t=td(e);if(t===
+void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function ly(i,e){if(e.constructor===Float32Array)return i;let t=td(e);
 if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var st=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
@@ -497,8 +497,8 @@ y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){retur
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
 x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Bn=class{constructor(e=0,t=0,n=0,s=1){
 this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],p=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let m=l*h+c*f+d*p+u*y;m<0&&(h=-h,f=-f,p=-p,y=-y,m=-m);let g=1-a;if(m<.9995){let x=Math.acos(m),w=Math.sin(x);g=Math.sin(
-g*x)/w,a=Math.sin(a*x)/w,l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
+y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let g=l*h+c*f+d*p+u*y;g<0&&(h=-h,f=-f,p=-p,y=-y,g=-g);let m=1-a;if(g<.9995){let x=Math.acos(g),w=Math.sin(x);m=Math.sin(
+m*x)/w,a=Math.sin(a*x)/w,l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a}else{l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
 u*=x}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
 a*p+d*u+l*f-c*h,e[t+1]=l*p+d*h+c*u-a*f,e[t+2]=c*p+d*f+a*h-l*u,e[t+3]=d*p-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
@@ -573,8 +573,8 @@ let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],m=s[3],g=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
-o*y+a*x+l*C,r[3]=o*m+a*w+l*S,r[6]=o*g+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*m+d*w+u*S,r[7]=c*g+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*m+f*w+p*S,r[8]=h*g+f*b+p*_,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],g=s[3],m=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
+o*y+a*x+l*C,r[3]=o*g+a*w+l*S,r[6]=o*m+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*g+d*w+u*S,r[7]=c*m+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*g+f*w+p*S,r[8]=h*m+f*b+p*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
 d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
@@ -588,7 +588,7 @@ this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e)
 return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
 6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},tu=new Qe,Gp=new Qe().set(.4123908,.3575843,.1804808,.212639,
-.7151687,.0721923,.0193308,.1191948,.9505322),Hp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function ay(){
+.7151687,.0721923,.0193308,.1191948,.9505322),Hp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function cy(){
 let i={enabled:!0,workingColorSpace:ko,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=ss(s.r),s.
 g=ss(s.g),s.b=ss(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
 transfer===At&&(s.r=qr(s.r),s.g=qr(s.g),s.b=qr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
@@ -598,7 +598,7 @@ return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Obj
 fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
 {[ko]:{primaries:e,whitePoint:n,transfer:zo,toXYZ:Gp,fromXYZ:Hp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
-[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Gp,fromXYZ:Hp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=ay();function ss(i){
+[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Gp,fromXYZ:Hp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=cy();function ss(i){
 return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function qr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Ir,Rl=class{static getDataURL(e,t="\
 image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Ir===void 0&&(Ir=Vo("canvas")),
 Ir.width=e.width,Ir.height=e.height;let s=Ir.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Ir}return n.toDataURL(
@@ -606,15 +606,15 @@ t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImage
 "u"&&e instanceof ImageBitmap){let t=Vo("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=ss(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(ss(t[n]/255)*255):t[n]=ss(t[n]);return{data:t,width:e.width,height:e.height}}else
-return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},ly=0,Kr=class{constructor(e=null){this.isTextureSource=!0,
-Object.defineProperty(this,"id",{value:ly++}),this.uuid=ya(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
+return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},hy=0,Kr=class{constructor(e=null){this.isTextureSource=!0,
+Object.defineProperty(this,"id",{value:hy++}),this.uuid=ya(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
 s[o].isDataTexture?r.push(nu(s[o].image)):r.push(nu(s[o]))}else r=nu(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function nu(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Rl.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var cy=0,iu=new V,Gn=class i extends Bi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Oi,s=Oi,r=On,o=us,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=fs){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:cy++}),this.uuid=ya(),this.name="",this.source=new Kr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var uy=0,iu=new V,Gn=class i extends Bi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Oi,s=Oi,r=On,o=us,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=fs){super(),this.
+isTexture=!0,Object.defineProperty(this,"id",{value:uy++}),this.uuid=ya(),this.name="",this.source=new Kr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new st(0,0),this.repeat=
 new st(1,1),this.center=new st(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
@@ -653,11 +653,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],m=l[6],g=l[10];if(Math.abs(
-d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-m)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+m)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let w=(c+1)/2,b=(f+1)/2,C=(g+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+m)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],g=l[6],m=l[10];if(Math.abs(
+d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-g)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+g)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let w=(c+1)/2,b=(f+1)/2,C=(m+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+g)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
 (n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=S/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
-sqrt((m-p)*(m-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(m-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
+sqrt((g-p)*(g-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(g-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=at(this.x,e.x,t.x),this.y=at(this.y,e.y,t.y),this.z=at(this.z,e.z,t.z),this.w=at(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -701,9 +701,9 @@ e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=
 !0}},Go=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
 minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
 this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Il=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
-minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
-c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=p,g[11]=y,g[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=
+c,m[6]=d,m[10]=u,m[14]=h,m[3]=f,m[7]=p,m[11]=y,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
@@ -717,24 +717,24 @@ a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=y+h*a,t[10]=o*l}
 f*a,t[1]=f+p*a,t[5]=o*d,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,y=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+y,t[1]=l*u,t[5]=
 y*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=y-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
 d,t[6]=f*u+p,t[10]=h-y*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+y,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
-y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(hy,e,uy)}lookAt(e,t,n){let s=this.elements;
+y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(dy,e,fy)}lookAt(e,t,n){let s=this.elements;
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ss.crossVectors(n,Kn),Ss.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
 Ss.crossVectors(n,Kn)),Ss.normalize(),$a.crossVectors(Kn,Ss),s[0]=Ss.x,s[4]=$a.x,s[8]=Kn.x,s[1]=Ss.y,s[5]=$a.y,s[9]=Kn.y,s[2]=Ss.z,s[6]=$a.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],m=n[10],g=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],g=n[10],m=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
 z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*P+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*R+a*z+l*W+c*
-se,r[1]=d*S+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*S+y*P+m*D+g*ce,r[6]=p*_+y*I+m*G+g*K,r[10]=p*M+y*F+m*Y+g*Q,r[14]=
-p*R+y*z+m*W+g*se,r[3]=x*S+w*P+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*R+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+se,r[1]=d*S+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*S+y*P+g*D+m*ce,r[6]=p*_+y*I+g*G+m*K,r[10]=p*M+y*F+g*Y+m*Q,r[14]=
+p*R+y*z+g*W+m*se,r[3]=x*S+w*P+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*R+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],m=e[11],g=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
-h-l*d,_=o*u-a*d;return t*(y*x-m*w+g*b)-n*(p*x-m*C+g*S)+s*(p*w-y*C+g*_)-r*(p*b-y*S+m*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],g=e[11],m=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
+h-l*d,_=o*u-a*d;return t*(y*x-g*w+m*b)-n*(p*x-g*C+m*S)+s*(p*w-y*C+m*_)-r*(p*b-y*S+g*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],p=e[12],y=e[13],m=e[14],g=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*m-h*p,P=d*g-f*p,I=u*m-h*y,F=u*g-f*y,z=h*
-g-f*m,D=x*z-w*F+b*I+C*P-S*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-m*
-S+g*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(m*b-p*_-g*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
-(p*S-y*b+g*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*w-p*C-m*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],p=e[12],y=e[13],g=e[14],m=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*g-h*p,P=d*m-f*p,I=u*g-h*y,F=u*m-f*y,z=h*
+m-f*g,D=x*z-w*F+b*I+C*P-S*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-g*
+S+m*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(g*b-p*_-m*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
+(p*S-y*b+m*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*w-p*C-g*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -742,8 +742,8 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,m=o*u,g=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
-b)*S,s[5]=(1-(h+g))*S,s[6]=(m+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(m-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,g=o*u,m=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+m))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
+b)*S,s[5]=(1-(h+m))*S,s[6]=(g+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(g-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Lr.set(s[0],s[1],s[2]).length(),a=Lr.
 set(s[4],s[5],s[6]).length(),l=Lr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=ci,l=!1){
@@ -754,8 +754,8 @@ s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===ci)p=-
 "THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
 y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,hy=new V(
-0,0,0),uy=new V(1,1,1),Ss=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new Bn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,dy=new V(
+0,0,0),fy=new V(1,1,1),Ss=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new Bn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -773,9 +773,9 @@ return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
 _z,yield this._order}};os.DEFAULT_ORDER="XYZ";var jr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},dy=0,$p=new V,Nr=new Bn,Qi=new xt,qa=new V,Po=new V,fy=new V,py=new Bn,qp=new V(1,0,0),Yp=new V(0,1,0),Zp=new V(0,0,1),Jp={type:"added"},my={type:"\
+(1<<e|0))!==0}},py=0,$p=new V,Nr=new Bn,Qi=new xt,qa=new V,Po=new V,my=new V,gy=new Bn,qp=new V(1,0,0),Yp=new V(0,1,0),Zp=new V(0,0,1),Jp={type:"added"},_y={type:"\
 removed"},Dr={type:"childadded",child:null},su={type:"childremoved",child:null},wn=class i extends Bi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:dy++}),this.uuid=ya(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new os,n=new Bn,
+this,"id",{value:py++}),this.uuid=ya(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new os,n=new Bn,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
@@ -795,14 +795,14 @@ s.matrixWorld),Nr.setFromRotationMatrix(Qi),this.quaternion.premultiply(Nr.inver
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
 this,this.children.push(e),e.dispatchEvent(Jp),Dr.child=e,this.dispatchEvent(Dr),Dr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
-parent=null,this.children.splice(t,1),e.dispatchEvent(my),su.child=e,this.dispatchEvent(su),su.child=null),this}removeFromParent(){let e=this.parent;return e!==
+parent=null,this.children.splice(t,1),e.dispatchEvent(_y),su.child=e,this.dispatchEvent(su),su.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),Qi.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),Qi.multiply(e.parent.matrixWorld)),e.applyMatrix4(Qi),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
 !1,!0),e.dispatchEvent(Jp),Dr.child=e,this.dispatchEvent(Dr),Dr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
-!0,!1),this.matrixWorld.decompose(Po,e,fy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Po,py,e),e}getWorldDirection(e){this.
+!0,!1),this.matrixWorld.decompose(Po,e,my),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Po,gy,e),e}getWorldDirection(e){this.
 updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.
 children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)
 t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,
@@ -843,7 +843,7 @@ e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,thi
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};wn.DEFAULT_UP=new V(0,1,0);wn.DEFAULT_MATRIX_AUTO_UPDATE=!0;wn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Vn=class extends wn{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},gy={type:"move"},Qr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},xy={type:"move"},Qr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new Vn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new Vn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===
@@ -853,8 +853,8 @@ _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatch
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
 r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){
-let m=t.getJointPose(y,n),g=this._getHandJoint(c,y);m!==null&&(g.matrix.fromArray(m.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
-!0,g.jointRadius=m.radius),g.visible=m!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
+let g=t.getJointPose(y,n),m=this._getHandJoint(c,y);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
+!0,m.jointRadius=g.radius),m.visible=g!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
 pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.
 pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
 fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
@@ -862,7 +862,7 @@ copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVe
 l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
 transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(
 s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(
-gy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
+xy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
 let n=new Vn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},ng={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
 aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,
 chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,
@@ -884,7 +884,7 @@ violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:1677696
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,_t.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=_t.workingColorSpace){return this.r=e,this.g=t,this.b=n,_t.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=_t.
-workingColorSpace){if(e=sy(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=ru(o,r,e+1/3),this.g=ru(o,r,
+workingColorSpace){if(e=oy(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=ru(o,r,e+1/3),this.g=ru(o,r,
 e),this.b=ru(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function n(r){r!==void 0&&parseFloat(r)<1&&qe("Color: Alpha component of "+e+
 " will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
@@ -935,8 +935,8 @@ e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a
 return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,n),Fr.subVectors(r,n),au.subVectors(e,n);let l=Ur.
 dot(au),c=Fr.dot(au);if(l<=0&&c<=0)return t.copy(n);lu.subVectors(e,s);let d=Ur.dot(lu),u=Fr.dot(lu);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
 d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);cu.subVectors(e,r);let f=Ur.dot(cu),p=Fr.dot(cu);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-Kp,a);let g=1/(m+y+h);return o=y*g,a=h*g,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let g=d*p-f*u;if(g<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Kp,a);let m=1/(g+y+h);return o=y*m,a=h*m,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},ki=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(vi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(vi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -968,8 +968,8 @@ z).applyMatrix4(e),ns[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),t
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
 fromArray(e.min),this.max.fromArray(e.max),this}},ns=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Za=new ki,Or=new V,Br=new V,kr=new V,Ts=new V,As=new V,
 Ks=new V,Io=new V,Ja=new V,Ka=new V,js=new V;function fu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){js.fromArray(i,r);let a=s.x*Math.abs(js.x)+s.y*Math.abs(
-js.y)+s.z*Math.abs(js.z),l=e.dot(js),c=t.dot(js),d=n.dot(js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,_y=0,bi=class extends Bi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
-Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:_y++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
+js.y)+s.z*Math.abs(js.z),l=e.dot(js),c=t.dot(js),d=n.dot(js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,yy=0,bi=class extends Bi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:yy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
 t:0,this.normalized=n,this.usage=Jm,this.updateRanges=[],this.gpuType=ui,this.version=0,this._normalizationScale=e!==void 0?td(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
 length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.
@@ -991,8 +991,8 @@ array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,t
 r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.
 constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.
 normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;
-return t!==void 0?Math.max(e/t,-1):ry(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):oy(e,this.array)}};var Wo=class extends bi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Xo=class extends bi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends bi{constructor(e,t,n){super(new Float32Array(e),t,n)}},xy=new ki,Lo=new V,pu=new V,as=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
-center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):xy.setFromPoints(e).getCenter(
+return t!==void 0?Math.max(e/t,-1):ay(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):ly(e,this.array)}};var Wo=class extends bi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Xo=class extends bi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends bi{constructor(e,t,n){super(new Float32Array(e),t,n)}},vy=new ki,Lo=new V,pu=new V,as=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
+center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):vy.setFromPoints(e).getCenter(
 n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),
 this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(
 this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.
@@ -1004,11 +1004,11 @@ copy(e),this.radius=0,this;Lo.subVectors(e,this.center);let t=Lo.lengthSq();if(t
 Lo,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
 radius,e.radius):(pu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Lo.copy(e.center).add(pu)),this.expandByPoint(Lo.copy(e.center).sub(
 pu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},yy=0,li=new xt,mu=new wn,zr=new V,jn=new ki,No=new ki,
-bn=new V,ln=class i extends Bi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:yy++}),this.uuid=ya(),this.name="",this.type=
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},by=0,li=new xt,mu=new wn,zr=new V,jn=new ki,No=new ki,
+bn=new V,ln=class i extends Bi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:by++}),this.uuid=ya(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
-return Array.isArray(e)?this.index=new(ny(e)?Xo:Wo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
+return Array.isArray(e)?this.index=new(sy(e)?Xo:Wo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
 indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){
 return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.
 start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==
@@ -1037,21 +1037,21 @@ Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "positio
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new bi(new Float32Array(
 4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let R=0;R<n.count;R++)a[R]=new V,l[R]=new V;let d=new V,u=new V,h=new V,
-f=new st,p=new st,y=new st,m=new V,g=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
-fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(m.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),g.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(m),a[P].add(m),
-a[I].add(m),l[R].add(g),l[P].add(g),l[I].add(g))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let R=0,P=w.length;R<P;++R){let I=w[R],F=I.start,
+f=new st,p=new st,y=new st,g=new V,m=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
+fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(g.copy(
+u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),m.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(g),a[P].add(g),
+a[I].add(g),l[R].add(m),l[P].add(m),l[I].add(m))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let R=0,P=w.length;R<P;++R){let I=w[R],F=I.start,
 z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,S=new V,_=new V;function M(R){S.fromBufferAttribute(s,R),_.copy(
 S);let P=a[R];b.copy(P),b.sub(S.multiplyScalar(S.dot(P))).normalize(),C.crossVectors(_,P);let F=C.dot(l[R])<0?-1:1;o.setXYZW(R,b.x,b.y,b.z,F)}for(let R=0,P=n.count;R<
 P;++R)c[R]&&M(R);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new bi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
-r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(
-t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,m),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
-c.fromBufferAttribute(n,m),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
+r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),g=e.getX(h+2);s.fromBufferAttribute(
+t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,g),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
+c.fromBufferAttribute(n,g),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(g,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),n.setXYZ(h+0,d.x,d.y,d.z),
 n.setXYZ(h+1,d.x,d.y,d.z),n.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
 n;t++)bn.fromBufferAttribute(e,t),bn.normalize(),e.setXYZ(t,bn.x,bn.y,bn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
-l.length*d),f=0,p=0;for(let y=0,m=l.length;y<m;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let g=0;g<d;g++)h[p++]=c[f++]}return new bi(
+l.length*d),f=0,p=0;for(let y=0,g=l.length;y<g;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let m=0;m<d;m++)h[p++]=c[f++]}return new bi(
 h,d,u)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
 for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=e(
 h,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
@@ -1067,19 +1067,19 @@ n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let d=s[c]
 u=r[c];for(let h=0,f=u.length;h<f;h++)d.push(u[h].clone(t));this.morphAttributes[c]=d}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,
 d=o.length;c<d;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;
 return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
-e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var gu=new V,vy=new V,by=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
+e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var gu=new V,My=new V,Sy=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
 constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=
--t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=gu.subVectors(n,t).cross(vy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
+-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=gu.subVectors(n,t).cross(My.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
 e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.
 constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.
 distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(
 gu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
 (o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>
 0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(
--this.constant)}applyMatrix4(e,t){let n=t||by.getNormalMatrix(e),s=this.coplanarPoint(gu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
+-this.constant)}applyMatrix4(e,t){let n=t||Sy.getNormalMatrix(e),s=this.coplanarPoint(gu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
-this.constant=e.constant,this}},My=0,ls=class extends Bi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:My++}),this.uuid=ya(),this.
+this.constant=e.constant,this}},wy=0,ls=class extends Bi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:wy++}),this.uuid=ya(),this.
 name="",this.type="Material",this.blending=oo,this.side=Fs,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Du,this.blendDst=
 Uu,this.blendEquation=nr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
 Yr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Wm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=_l,this.stencilZFail=
@@ -1218,9 +1218,9 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,is)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,p=t.x-o.x,
-y=t.y-o.y,m=t.z-o.z,g=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(R=l,F=u,G=p,ce=g,l>=0?(_=c,M=
-d,P=h,I=f,z=y,D=m,Y=x,W=w):(_=d,M=c,P=f,I=h,z=m,D=y,Y=w,W=x)):C>=S?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=m,D=p,Y=w,W=g):(_=l,M=d,P=u,I=f,z=p,D=m,Y=g,W=w)):(R=
-d,F=f,G=m,ce=w,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=g,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=g)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
+y=t.y-o.y,g=t.z-o.z,m=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(R=l,F=u,G=p,ce=m,l>=0?(_=c,M=
+d,P=h,I=f,z=y,D=g,Y=x,W=w):(_=d,M=c,P=f,I=h,z=g,D=y,Y=w,W=x)):C>=S?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=g,D=p,Y=w,W=m):(_=l,M=d,P=u,I=f,z=p,D=g,Y=m,W=w)):(R=
+d,F=f,G=g,ce=w,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=m,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=m)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
 Q*G,xe=Y-K*ce,Ee=W-Q*ce,Me=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(Me<0||He<0||nt<0)return null}else if((Me<0||He<0||nt<0)&&(Me>0||He>0||nt>0))return null;
 let Ve=Me+He+nt;if(Ve===0)return null;let ut=se*(Me*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
@@ -1243,23 +1243,23 @@ t.add(rl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(
 null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),Qs.copy(e.ray).recast(e.near),!(tl.containsPoint(Qs.origin)===!1&&(Qs.intersectSphere(
 tl,Qp)===null||Qs.origin.distanceToSquared(Qp)>(e.far-e.near)**2))&&(jp.copy(r).invert(),Qs.copy(e.ray).applyMatrix4(jp),!(n.boundingBox!==null&&Qs.intersectsBox(
 n.boundingBox)===!1)&&this._computeIntersections(e,t,Qs)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.
-materialIndex],x=Math.max(m.start,f.start),w=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
-M=a.getX(b+2);s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=a.getX(m),w=a.getX(m+1),b=a.getX(m+2);s=al(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.materialIndex],x=Math.max(m.start,f.start),w=Math.min(l.count,
-Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
-m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=m,w=m+1,b=m+2;s=al(this,o,e,n,c,d,
-u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Sy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.
+materialIndex],x=Math.max(g.start,f.start),w=Math.min(a.count,Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
+M=a.getX(b+2);s=al(this,m,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=a.getX(g),w=a.getX(g+1),b=a.getX(g+2);s=al(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(g/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),w=Math.min(l.count,
+Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=al(this,m,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
+g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=g,w=g+1,b=g+2;s=al(this,o,e,n,c,d,
+u,x,w,b),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===Fs,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
-point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=Sy(i,e,t,n,nl,il,
+point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=Ty(i,e,t,n,nl,il,
 sl,em);if(d){let u=new V;Fi.getBarycoord(em,nl,il,sl,u),s&&(d.uv=Fi.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Fi.getInterpolatedAttribute(r,a,l,c,u,
 new st)),o&&(d.normal=Fi.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
 Fi.getNormal(nl,il,sl,h.normal),d.face=h,d.barycoord=u}return d}var $o=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Mn,d=Mn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var qo=class extends bi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
 e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Vr=new xt,tm=new xt,ll=[],
-nm=new ki,wy=new xt,Do=new hi,Uo=new as,Cs=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
-16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,wy)}computeBoundingBox(){
+nm=new ki,Ay=new xt,Do=new hi,Uo=new as,Cs=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
+16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,Ay)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new ki),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
 t;n++)this.getMatrixAt(n,Vr),nm.copy(e.boundingBox).applyMatrix4(Vr),this.boundingBox.union(nm)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
 null&&(this.boundingSphere=new as),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,Vr),
@@ -1275,15 +1275,15 @@ this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3)
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new $o(new Float32Array(s*this.count),s,this.count,rc,ui));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},er=new as,Ty=new st(.5,.5),cl=new V,Rs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},er=new as,Ey=new st(.5,.5),cl=new V,Rs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],y=r[9],
-m=r[10],g=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-x).normalize(),s[1].setComponents(c+o,f+d,g+p,C+x).normalize(),s[2].setComponents(
-c+a,f+u,g+y,C+w).normalize(),s[3].setComponents(c-a,f-u,g-y,C-w).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
-setComponents(c-l,f-h,g-m,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
+g=r[10],m=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,m-p,C-x).normalize(),s[1].setComponents(c+o,f+d,m+p,C+x).normalize(),s[2].setComponents(
+c+a,f+u,m+y,C+w).normalize(),s[3].setComponents(c-a,f-u,m-y,C-w).normalize(),n)s[4].setComponents(l,h,g,b).normalize(),s[5].setComponents(c-l,f-h,m-g,C-b).normalize();else if(s[4].
+setComponents(c-l,f-h,m-g,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,m+g,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,g,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),er.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),er.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(er)}intersectsSprite(e){er.center.set(0,0,0);let t=Ty.distanceTo(e.center);return er.
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(er)}intersectsSprite(e){er.center.set(0,0,0);let t=Ey.distanceTo(e.center);return er.
 radius=.7071067811865476+t,er.applyMatrix4(e.matrixWorld),this.intersectsSphere(er)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(cl.x=s.normal.x>0?e.max.x:e.min.x,cl.y=s.normal.
 y>0?e.max.y:e.min.y,cl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(cl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
@@ -1306,8 +1306,8 @@ Line.computeLineDistances(): Computation only possible with non-indexed BufferGe
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.
 applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;sm.copy(s).invert(),Fo.copy(e.ray).applyMatrix4(sm);let a=r/((this.scale.x+this.scale.y+this.
 scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let y=f,
-m=p-1;y<m;y+=c){let g=d.getX(y),x=d.getX(y+1),w=ul(this,e,Fo,l,g,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),m=d.getX(f),g=ul(this,e,Fo,l,y,m,p-1);g&&
-t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,m=p-1;y<m;y+=c){let g=ul(this,e,Fo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
+g=p-1;y<g;y+=c){let m=d.getX(y),x=d.getX(y+1),w=ul(this,e,Fo,l,m,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),g=d.getX(f),m=ul(this,e,Fo,l,y,g,p-1);m&&
+t.push(m)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,g=p-1;y<g;y+=c){let m=ul(this,e,Fo,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){
 let y=ul(this,e,Fo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function ul(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Nl.fromBufferAttribute(a,s),Dl.fromBufferAttribute(a,r),t.distanceSqToSegment(Nl,Dl,yu,
@@ -1325,27 +1325,27 @@ Jo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExte
 Is=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,n,t,e,o,r,0),p("z","y","x",1,-1,
 n,t,-e,o,r,1),p("x","z","y",1,1,e,n,t,s,o,2),p("x","z","y",1,-1,e,n,-t,s,o,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,m,g,x,w,b,C,S,_,M,R){let P=b/
-_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[m]=se*w,K[g]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[m]=0,K[g]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,g,m,x,w,b,C,S,_,M,R){let P=b/
+_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[g]=se*w,K[m]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[g]=0,K[m]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
 G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,R),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Ko=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
-n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,m=new V,g=new V;for(let x=0;x<=
+n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,g=new V,m=new V;for(let x=0;x<=
 p;x++){let w=0,b=0,C=0,S=0;if(x<=n){let R=x/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),S=-e*Math.cos(P),w=R*u}else if(x<=n+r){let R=(x-n)/r;b=-d+R*t,C=e,
 S=0,w=u+R*h}else{let R=(x-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),S=e*Math.sin(P),w=u+h+R*u}let _=Math.max(0,Math.min(1,w/f)),M=0;x===0?M=.5/s:x===
-p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),m.set(-C*z,S,C*F),m.normalize(),
-l.push(m.x,m.y,m.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
+p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);m.x=-C*z,m.y=b,m.z=C*F,a.push(m.x,m.y,m.z),g.set(-C*z,S,C*F),g.normalize(),
+l.push(g.x,g.y,g.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ls=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
-height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],m=n/
-2,g=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],g=n/
+2,m=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
 uv",new yt(f,2));function x(){let b=new V,C=new V,S=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+m,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
+sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+g,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
 s;M++)for(let R=0;R<r;R++){let P=y[R][M],I=y[R+1][M],F=y[R+1][M+1],z=y[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),S+=3),(t>0||R!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
-g,S,0),g+=S}function w(b){let C=p,S=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,m*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
-s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=m*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),S.x=G*.5+.5,S.y=Y*.5*P+.5,f.push(S.x,S.y),p++}for(let F=0;F<
-s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+m,S,0),m+=S}function w(b){let C=p,S=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,g*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=g*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),S.x=G*.5+.5,S.y=Y*.5*P+.5,f.push(S.x,S.y),p++}for(let F=0;F<
+s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(m,M,b===!0?1:2),m+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
 jo=class i extends Ls{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
@@ -1355,37 +1355,37 @@ this.computeVertexNormals():this.normalizeNormals();function a(x){let w=new V,b=
 w,b,C,x)}function l(x,w,b,C){let S=C+1,_=[];for(let M=0;M<=S;M++){_[M]=[];let R=x.clone().lerp(b,M/S),P=w.clone().lerp(b,M/S),I=S-M;for(let F=0;F<=I;F++)F===0&&
 M===S?_[M][F]=R:_[M][F]=R.clone().lerp(P,F/I)}for(let M=0;M<S;M++)for(let R=0;R<2*(S-M)-1;R++){let P=Math.floor(R/2);R%2===0?(h(_[M][P+1]),h(_[M+1][P]),h(_[M][P])):
 (h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(x){let w=new V;for(let b=0;b<r.length;b+=3)w.x=r[b+0],w.y=r[b+1],w.z=r[b+2],w.normalize().multiplyScalar(
-x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=m(x)/2/Math.PI+.5,C=g(x)/Math.PI+
+x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=g(x)/2/Math.PI+.5,C=m(x)/Math.PI+
 .5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let w=o[x+0],b=o[x+2],C=o[x+4],S=Math.max(w,b,C),_=Math.min(w,b,C);S>.9&&_<.1&&(w<.2&&(o[x+0]+=
 1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,w){let b=x*3;w.x=e[b+0],w.y=e[b+1],w.z=e[b+2]}function p(){let x=new V,w=new V,
 b=new V,C=new V,S=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){x.set(r[R+0],r[R+1],r[R+2]),w.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
-8]),S.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=m(C);y(S,P+0,x,I),y(_,P+2,w,I),y(M,P+4,b,I)}}function y(x,w,b,C){
-C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function m(x){return Math.atan2(x.z,-x.x)}function g(x){return Math.atan2(-x.y,Math.sqrt(x.x*
+8]),S.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=g(C);y(S,P+0,x,I),y(_,P+2,w,I),y(M,P+4,b,I)}}function y(x,w,b,C){
+C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function g(x){return Math.atan2(x.z,-x.x)}function m(x){return Math.atan2(-x.y,Math.sqrt(x.x*
 x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
 detail)}};var no=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},Qo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],p=[],y=[],m=[];for(let g=0;g<d;g++){let x=g*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),m.push(w/a),m.push(1-g/l)}}for(let g=0;g<
-l;g++)for(let x=0;x<a;x++){let w=x+c*g,b=x+c*(g+1),C=x+1+c*(g+1),S=x+1+c*g;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
-this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
+1,u=e/a,h=t/l,f=[],p=[],y=[],g=[];for(let m=0;m<d;m++){let x=m*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),g.push(w/a),g.push(1-m/l)}}for(let m=0;m<
+l;m++)for(let x=0;x<a;x++){let w=x+c*m,b=x+c*(m+1),C=x+1+c*(m+1),S=x+1+c*m;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
+this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var ea=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],p=[],y=[],m=[];for(let g=0;g<=n;g++){let x=[],w=g/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;g===0&&o===0?_=.5/t:g===n&&l===Math.PI&&
-(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-S*Math.cos(P),u.y=C,u.z=S*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),m.push(
-R+_,1-w),x.push(c++)}d.push(x)}for(let g=0;g<n;g++)for(let x=0;x<t;x++){let w=d[g][x+1],b=d[g][x],C=d[g+1][x],S=d[g+1][x+1];(g!==0||o>0)&&f.push(w,b,S),(g!==n-1||
-l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
+u=new V,h=new V,f=[],p=[],y=[],g=[];for(let m=0;m<=n;m++){let x=[],w=m/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;m===0&&o===0?_=.5/t:m===n&&l===Math.PI&&
+(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-S*Math.cos(P),u.y=C,u.z=S*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),g.push(
+R+_,1-w),x.push(c++)}d.push(x)}for(let m=0;m<n;m++)for(let x=0;x<t;x++){let w=d[m][x+1],b=d[m][x],C=d[m+1][x],S=d[m+1][x+1];(m!==0||o>0)&&f.push(w,b,S),(m!==n-1||
+l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
 phiLength,e.thetaStart,e.thetaLength)}};function rr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(lm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(lm(s[0])){let r=[];for(let o=0,a=s.length;o<
 a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Rn(i){let e={};for(let t=0;t<i.length;t++){let n=rr(i[t]);for(let s in n)
-e[s]=n[s]}return e}function lm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Ay(i){
+e[s]=n[s]}return e}function lm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Cy(i){
 let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function nd(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var ig={clone:rr,merge:Rn},Ey="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
-0 );\n}",Cy="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",zi=class extends ls{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
-rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Ey,this.fragmentShader=Cy,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
+!0?e.texture.colorSpace:_t.workingColorSpace}var ig={clone:rr,merge:Rn},Ry="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+0 );\n}",Py="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",zi=class extends ls{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
+rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Ry,this.fragmentShader=Py,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=rr(e.uniforms),this.uniformsGroups=Ay(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=rr(e.uniforms),this.uniformsGroups=Cy(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1431,14 +1431,14 @@ t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetN
 let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case wu:r=e,a=2*t-n;break;case Tu:r=s.length-2,a=t+
 s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case wu:o=e,l=2*n-t;break;case Tu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,m=y*p,g=-h*m+2*
-h*y-h*p,x=(1+h)*m+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*m+(1.5+f)*y+.5*p,b=f*m-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Vl=class extends Ns{constructor(e,t,n,s){
+o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,g=y*p,m=-h*g+2*
+h*y-h*p,x=(1+h)*g+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*g+(1.5+f)*y+.5*p,b=f*g-f*y;for(let C=0;C!==a;++C)r[C]=m*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Vl=class extends Ns{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Gl=class extends Ns{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Ns{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let m=0;m!==
-a;++m)r[m]=o[c+m]*y+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],m=o[l+p],g=f*h+p*2,x=u[g],w=u[g+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Py(n,t,
-x,C,s);r[p]=sg(_,y,w,S,m)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Ry(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
-e)+6*r*i*(n-t)+3*i*i*(s-n)}function Py(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=sg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Ry(r,e,t,n,s);if(Math.
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let g=0;g!==
+a;++g)r[g]=o[c+g]*y+o[l+g]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],g=o[l+p],m=f*h+p*2,x=u[m],w=u[m+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Ly(n,t,
+x,C,s);r[p]=sg(_,y,w,S,g)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+e)+6*r*i*(n-t)+3*i*i*(s-n)}function Ly(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=sg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Iy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Gr(t,this.TimeBufferType),
 this.values=Gr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
@@ -1458,7 +1458,7 @@ s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!=
 slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Ke("KeyframeTrack: Invalid value s\
 ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];
 if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
-a,l,o),e=!1;break}o=l}if(s!==void 0&&iy(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
+a,l,o),e=!1;break}o=l}if(s!==void 0&&ry(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
 e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===gl,r=e.length-1,o=1;for(let a=1;a<
 r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let y=t[u+p];if(y!==t[h+p]||y!==t[f+p]){
 l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
@@ -1544,21 +1544,21 @@ let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c o
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
 this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=
-!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,
-e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
+!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,
+e.setRenderTarget(n,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
+n,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),g&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
 u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Kl=class extends Fn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
-e,this.perCameraFrustumCulled=!1}};var id="\\[\\]\\.:\\/",Iy=new RegExp("["+id+"]","g"),sd="[^"+id+"]",Ly="[^"+id.replace("\\.","")+"]",Ny=/((?:WC+[\/:])*)/.source.replace("WC",sd),Dy=/(WCOD+)?/.
-source.replace("WCOD",Ly),Uy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",sd),Fy=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",sd),Oy=new RegExp("^"+Ny+Dy+Uy+Fy+
-"$"),By=["material","materials","bones","map"],Eu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
+e,this.perCameraFrustumCulled=!1}};var id="\\[\\]\\.:\\/",Ny=new RegExp("["+id+"]","g"),sd="[^"+id+"]",Dy="[^"+id.replace("\\.","")+"]",Uy=/((?:WC+[\/:])*)/.source.replace("WC",sd),Fy=/(WCOD+)?/.
+source.replace("WCOD",Dy),Oy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",sd),By=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",sd),ky=new RegExp("^"+Uy+Fy+Oy+By+
+"$"),zy=["material","materials","bones","map"],Eu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
 this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.
 nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){
 let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},Vt=class i{constructor(e,t,n){this.path=t,this.parsedPath=
 n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){
-return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Iy,"")}static parseTrackName(e){
-let t=Oy.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
-propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);By.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
+return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Ny,"")}static parseTrackName(e){
+let t=ky.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
+propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);zy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
 substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from track\
 Name: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);
 if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}
@@ -1594,7 +1594,7 @@ prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getVa
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var W1=new Float32Array(1);var mm=new xt,la=class{constructor(e,t,n=0,s=1/0){this.ray=new eo(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new jr,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var $1=new Float32Array(1);var mm=new xt,la=class{constructor(e,t,n=0,s=1/0){this.ray=new eo(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new jr,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
@@ -1602,19 +1602,19 @@ return mm.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatri
 return Cu(e,this,n,t),n.sort(gm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Cu(e[s],this,n,t);return n.sort(gm),n}};function gm(i,e){return i.
 distance-e.distance}function Cu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
 a;o++)Cu(r[o],e,t,!0)}}var Ru=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var _m=new V,ml=new V,Xr=new V,$r=new V,bu=new V,ky=new V,zy=new V,ca=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var _m=new V,ml=new V,Xr=new V,$r=new V,bu=new V,Vy=new V,Gy=new V,ca=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
 e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(
 .5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){
 return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){_m.subVectors(e,this.start),ml.subVectors(this.end,this.start);let n=ml.
 dot(ml);if(n===0)return 0;let r=ml.dot(_m)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
-n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=ky,n=zy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
+n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Vy,n=Gy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
 $r.subVectors(d,l),bu.subVectors(a,l);let u=Xr.dot(Xr),h=$r.dot($r),f=$r.dot(bu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),m=u*h-y*y;m!==0?r=at((y*f-p*h)/m,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),g=u*h-y*y;g!==0?r=at((y*f-p*h)/g,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
 1)):o>1&&(o=1,r=at((y-p)/u,0,1))}}return t.copy(a).addScaledVector(Xr,r),n.copy(l).addScaledVector($r,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ha=class extends to{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Ps({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function rd(i,e,t,n){let s=Vy(n);switch(t){case Yu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Os:
+this.geometry.dispose(),this.material.dispose()}};function rd(i,e,t,n){let s=Hy(n);switch(t){case Yu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Os:
 return i*e*2/s.components*s.byteLength;case ac:return i*e*2/s.components*s.byteLength;case Zu:return i*e*3/s.components*s.byteLength;case wi:return i*e*4/s.components*
 s.byteLength;case lc:return i*e*4/s.components*s.byteLength;case fa:case pa:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case ma:case ga:return Math.floor((i+
 3)/4)*Math.floor((e+3)/4)*16;case hc:case dc:return Math.max(i,16)*Math.max(e,8)/4;case cc:case uc:return Math.max(i,8)*Math.max(e,8)/2;case fc:case pc:case gc:case _c:
@@ -1625,11 +1625,11 @@ floor((i+7)/8)*Math.floor((e+5)/6)*16;case Ac:return Math.floor((i+7)/8)*Math.fl
 return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Rc:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Pc:return Math.floor((i+9)/10)*Math.floor((e+
 9)/10)*16;case Ic:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Lc:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Nc:case Dc:case Uc:return Math.
 ceil(i/4)*Math.ceil(e/4)*16;case Fc:case Oc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case xa:case Bc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function Vy(i){switch(i){case Hn:case Wu:return{byteLength:1,components:1};case lo:case Xu:case Si:
+le to determine texture byte length for ".concat(t," format."))}function Hy(i){switch(i){case Hn:case Wu:return{byteLength:1,components:1};case lo:case Xu:case Si:
 return{byteLength:2,components:1};case ic:case sc:return{byteLength:2,components:4};case Mi:case nc:case ui:return{byteLength:4,components:1};case $u:case qu:return{
 byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?qe("\
 WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Eg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
-s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Hy(i){let e=new WeakMap;
+s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Xy(i){let e=new WeakMap;
 function t(a,l){let c=a.array,d=a.usage,u=c.byteLength,h=i.createBuffer();i.bindBuffer(l,h),i.bufferData(l,c,d),a.onUploadCallback();let f;if(c instanceof Float32Array)
 f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=i.HALF_FLOAT:f=
 i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof
@@ -1642,7 +1642,7 @@ a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i
 (a=a.data),a.isGLBufferAttribute){let d=e.get(a);(!d||d.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
 return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
  of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{
-get:s,remove:r,update:o}}var Wy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Xy="#ifdef USE_ALPHAHASH\n c\
+get:s,remove:r,update:o}}var $y="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",qy="#ifdef USE_ALPHAHASH\n c\
 onst float ALPHA_HASH_SCALE = 0.05;\n float hash2D( vec2 value ) {\n  return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value\
 .y + value.x ) ) ) );\n }\n float hash3D( vec3 value ) {\n  return hash2D( vec2( hash2D( value.xy ), value.z ) );\n }\n float getAlphaHashThreshold( vec3 position ) \
 {\n  float maxDeriv = max(\n   length( dFdx( position.xyz ) ),\n   length( dFdy( position.xyz ) )\n  );\n  float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );\n  \
@@ -1650,28 +1650,28 @@ vec2 pixScales = vec2(\n   exp2( floor( log2( pixScale ) ) ),\n   exp2( ceil( lo
 ion.xyz ) ),\n   hash3D( floor( pixScales.y * position.xyz ) )\n  );\n  float lerpFactor = fract( log2( pixScale ) );\n  float x = ( 1.0 - lerpFactor ) * alpha.x + \
 lerpFactor * alpha.y;\n  float a = min( lerpFactor, 1.0 - lerpFactor );\n  vec3 cases = vec3(\n   x * x / ( 2.0 * a * ( 1.0 - a ) ),\n   ( x - 0.5 * a ) / ( 1.0 - a\
  ),\n   1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )\n  );\n  float threshold = ( x < ( 1.0 - a ) )\n   ? ( ( x < a ) ? cases.x : cases.y )\n   : \
-cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",$y="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",qy="\
-#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Yy="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
- + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",Zy="\
-#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",Jy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
+cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",Yy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",Zy="\
+#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Jy="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
+ + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",Ky="\
+#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",jy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
 y + 1.0;\n reflectedLight.indirectDiffuse *= ambientOcclusion;\n #if defined( USE_CLEARCOAT ) \n  clearcoatSpecularIndirect *= ambientOcclusion;\n #endif\n #if defin\
 ed( USE_SHEEN ) \n  sheenSpecularIndirect *= ambientOcclusion;\n #endif\n #if defined( USE_ENVMAP ) && defined( STANDARD )\n  float dotNV = saturate( dot( geometryN\
-ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Ky="\
-#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",jy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
+ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Qy="\
+#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",ev="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
 rawID _gl_DrawID\n uniform int _gl_DrawID;\n #endif\n uniform highp sampler2D batchingTexture;\n uniform highp usampler2D batchingIdTexture;\n mat4 getBatchingMatrix\
 ( const in float i ) {\n  int size = textureSize( batchingTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % size;\n  int y = j / size;\n  vec4 v1 = texelFetch(\
  batchingTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y \
 ), 0 );\n  vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n float getIndirectIndex( const in int i ) {\n  int s\
 ize = textureSize( batchingIdTexture, 0 ).x;\n  int x = i % size;\n  int y = i / size;\n  return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );\n }\n#\
 endif\n#ifdef USE_BATCHING_COLOR\n uniform sampler2D batchingColorTexture;\n vec4 getBatchingColor( const in float i ) {\n  int size = textureSize( batchingColorTex\
-ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Qy="#if\
-def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",ev="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
-ASH\n vPosition = vec3( position );\n#endif",tv="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",nv="\
+ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",tv="#if\
+def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",nv="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
+ASH\n vPosition = vec3( position );\n#endif",iv="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",sv="\
 float G_BlinnPhong_Implicit( ) {\n return 0.25;\n}\nfloat D_BlinnPhong( const in float shininess, const in float dotNH ) {\n return RECIPROCAL_PI * ( shininess * 0.\
 5 + 1.0 ) * pow( dotNH, shininess );\n}\nvec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, c\
 onst in float shininess ) {\n vec3 halfDir = normalize( lightDir + viewDir );\n float dotNH = saturate( dot( normal, halfDir ) );\n float dotVH = saturate( dot( vi\
 ewDir, halfDir ) );\n vec3 F = F_Schlick( specularColor, 1.0, dotVH );\n float G = G_BlinnPhong_Implicit( );\n float D = D_BlinnPhong( shininess, dotNH );\n return \
-F * ( G * D );\n} // validated",iv="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
+F * ( G * D );\n} // validated",rv="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
 2040259,\n  -0.4985314,  0.0415560,  1.0572252\n );\n vec3 Fresnel0ToIor( vec3 fresnel0 ) {\n  vec3 sqrtF0 = sqrt( fresnel0 );\n  return ( vec3( 1.0 ) + sqrtF0 ) / (\
  vec3( 1.0 ) - sqrtF0 );\n }\n vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmit\
 tedIor + vec3( incidentIor ) ) );\n }\n float IorToFresnel0( float transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - incidentIor ) / ( trans\
@@ -1688,12 +1688,12 @@ seIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );  vec3 R1 = IorToFresnel0(
 escenceIOR ) phi23[ 2 ] = PI;\n  float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;\n  vec3 phi = vec3( phi21 ) + phi23;\n  vec3 R123 = clamp( R12 *\
  R23, 1e-5, 0.9999 );\n  vec3 r123 = sqrt( R123 );\n  vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );\n  vec3 C0 = R12 + Rs;\n  I = C0;\n  vec3 Cm = Rs - T121\
 ;\n  for ( int m = 1; m <= 2; ++ m ) {\n   Cm *= r123;\n   vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );\n   I += Cm * Sm;\n  }\n  return max\
-( I, vec3( 0.0 ) );\n }\n#endif",sv="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
+( I, vec3( 0.0 ) );\n }\n#endif",ov="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
 v );\n  vec2 dSTdy = dFdy( vBumpMapUv );\n  float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;\n  float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv +\
  dSTdx ).x - Hll;\n  float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;\n  return vec2( dBx, dBy );\n }\n vec3 perturbNormalArb( vec3 surf_po\
 s, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {\n  vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );\n  vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );\n \
  vec3 vN = surf_norm;\n  vec3 R1 = cross( vSigmaY, vN );\n  vec3 R2 = cross( vN, vSigmaX );\n  float fDet = dot( vSigmaX, R1 ) * faceDirection;\n  vec3 vGrad = sign\
-( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",rv="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
+( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",av="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
 ifdef ALPHA_TO_COVERAGE\n  float distanceToPlane, distanceGradient;\n  float clipOpacity = 1.0;\n  #pragma unroll_loop_start\n  for ( int i = 0; i < UNION_CLIPPING_\
 PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;\n   distanceGradient = fwidth( distanceToPlane\
  ) / 2.0;\n   clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );\n   if ( clipOpacity == 0.0 ) discard;\n  }\n  #pragma unroll_loop\
@@ -1704,13 +1704,13 @@ _end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   float unionClipOpaci
 or ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;\n  }\n  #pragma u\
 nroll_loop_end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   bool clipped = true;\n   #pragma unroll_loop_start\n   for ( int i = UNION_CLIPPING_PLANES; i \
 < NUM_CLIPPING_PLANES; i ++ ) {\n    plane = clippingPlanes[ i ];\n    clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;\n   }\n   #pragma unroll_\
-loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",ov="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
-CLIPPING_PLANES ];\n#endif",av="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",lv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
-.xyz;\n#endif",cv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",hv="#if defined( USE_COLOR ) || defined( USE_COLOR_\
-ALPHA )\n varying vec4 vColor;\n#endif",uv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
-OLOR )\n varying vec4 vColor;\n#endif",dv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
+loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",lv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
+CLIPPING_PLANES ];\n#endif",cv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",hv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
+.xyz;\n#endif",uv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",dv="#if defined( USE_COLOR ) || defined( USE_COLOR_\
+ALPHA )\n varying vec4 vColor;\n#endif",fv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
+OLOR )\n varying vec4 vColor;\n#endif",pv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
 LOR )\n vColor = vec4( 1.0 );\n#endif\n#ifdef USE_COLOR_ALPHA\n vColor *= color;\n#elif defined( USE_COLOR )\n vColor.rgb *= color;\n#endif\n#ifdef USE_INSTANCING_COLOR\
-\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",fv="#define PI 3.\
+\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",mv="#define PI 3.\
 141592653589793\n#define PI2 6.283185307179586\n#define PI_HALF 1.5707963267948966\n#define RECIPROCAL_PI 0.3183098861837907\n#define RECIPROCAL_PI2 0.1591549430918\
 9535\n#define EPSILON 1e-6\n#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\nfloat pow2( co\
 nst in float x ) { return x*x; }\nvec3 pow2( const in vec3 x ) { return x*x; }\nfloat pow3( const in float x ) { return x*x*x; }\nfloat pow4( const in float x ) { \
@@ -1726,51 +1726,51 @@ c4( dir, 0.0 ) * viewMatrix ).xyz );\n}\nbool isPerspectiveMatrix( mat4 m ) {\n 
 r.z, dir.x ) * RECIPROCAL_PI2 + 0.5;\n float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;\n return vec2( u, v );\n}\nvec3 BRDF_Lambert( const in ve\
 c3 diffuseColor ) {\n return RECIPROCAL_PI * diffuseColor;\n}\nvec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {\n float fresnel = exp2\
 ( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n}\nfloat F_Schlick( const in float f0, const in float f90, const\
- in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",pv="\
+ in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",gv="\
 vec3 transformedNormal = objectNormal;\n#ifdef USE_TANGENT\n vec3 transformedTangent = objectTangent;\n#endif\n#ifdef USE_BATCHING\n mat3 bm = mat3( batchingMatrix )\
 ;\n transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );\n transformedNormal = bm * transformedNormal;\n #ifdef \
 USE_TANGENT\n  transformedTangent = bm * transformedTangent;\n #endif\n#endif\n#ifdef USE_INSTANCING\n mat3 im = mat3( instanceMatrix );\n transformedNormal /= vec3( \
 dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );\n transformedNormal = im * transformedNormal;\n #ifdef USE_TANGENT\n  transformedTange\
 nt = im * transformedTangent;\n #endif\n#endif\ntransformedNormal = normalMatrix * transformedNormal;\n#ifdef FLIP_SIDED\n transformedNormal = - transformedNormal;\n#\
-endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",mv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
-pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",gv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
-objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",_v="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
+endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",_v="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
+pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",xv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
+objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",yv="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
 veColor = texture2D( emissiveMap, vEmissiveMapUv );\n #ifdef DECODE_VIDEO_TEXTURE_EMISSIVE\n  emissiveColor = sRGBTransferEOTF( emissiveColor );\n #endif\n totalEmi\
-ssiveRadiance *= emissiveColor.rgb;\n#endif",xv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",yv="gl_FragColor = linearToOutputTexel( gl_Fra\
-gColor );",vv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
+ssiveRadiance *= emissiveColor.rgb;\n#endif",vv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",bv="gl_FragColor = linearToOutputTexel( gl_Fra\
+gColor );",Mv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
 2986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );\n}\nvec4 sRGBTransferOETF(\
  in vec4 value ) {\n return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031\
-308 ) ) ) ), value.a );\n}",bv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
+308 ) ) ) ), value.a );\n}",Sv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
 atrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToFrag = normalize( vWorldPosition - cameraPosition );\n  }\n  vec3 world\
 Normal = transformNormalByInverseViewMatrix( normal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vec3 reflectVec = reflect( cameraToFrag, worldNormal );\n  \
 #else\n   vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );\n  #endif\n #else\n  vec3 reflectVec = vReflect;\n #endif\n #ifdef ENVMAP_TYPE_CUBE\
 \n  vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );\n  #ifdef ENVMAP_BLENDING_MULTIPLY\n   outgoingLight = mix( outgoingLight, outgoingLight * \
 envColor.xyz, specularStrength * reflectivity );\n  #elif defined( ENVMAP_BLENDING_MIX )\n   outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * \
-reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",Mv="#if\
+reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",wv="#if\
 def USE_ENVMAP\n uniform float envMapIntensity;\n uniform mat3 envMapRotation;\n uniform samplerCube envMap;\n #ifdef ENVMAP_TYPE_PMREM\n  float roughnessToMip( cons\
-t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Sv="#ifdef USE_ENVMAP\n \
+t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Tv="#ifdef USE_ENVMAP\n \
 uniform float reflectivity;\n #if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #i\
-fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",wv="#ifdef USE_ENVMAP\n #\
+fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",Av="#ifdef USE_ENVMAP\n #\
 if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #ifdef ENV_WORLDPOS\n  \n  varying\
- vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Tv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
+ vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Ev="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
 osition = worldPosition.xyz;\n #else\n  vec3 cameraToVertex;\n  if ( isOrthographic ) {\n   cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ \
 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToVertex = normalize( worldPosition.xyz - cameraPosition );\n  }\n  vec3 worldNormal = transformNormalBy\
 InverseViewMatrix( transformedNormal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vReflect = reflect( cameraToVertex, worldNormal );\n  #else\n   vReflect = \
-refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Av="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Ev="#ifdef USE_FO\
-G\n varying float vFogDepth;\n#endif",Cv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
-else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Rv="#if\
+refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Cv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Rv="#ifdef USE_FO\
+G\n varying float vFogDepth;\n#endif",Pv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
+else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Iv="#if\
 def USE_FOG\n uniform vec3 fogColor;\n varying float vFogDepth;\n #ifdef FOG_EXP2\n  uniform float fogDensity;\n #else\n  uniform float fogNear;\n  uniform float fogFa\
-r;\n #endif\n#endif",Pv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
+r;\n #endif\n#endif",Lv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
 otNL = dot( normal, lightDirection );\n vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );\n #ifdef USE_GRADIENTMAP\n  return vec3( texture2D( gradientMap, coord ).r );\n\
- #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Iv="#ifdef USE\
-_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Lv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
-rial.specularStrength = specularStrength;",Nv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
+ #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Nv="#ifdef USE\
+_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Dv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
+rial.specularStrength = specularStrength;",Uv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
 ct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geome\
 tryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.directi\
 on ) );\n vec3 irradiance = dotNL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDif\
 fuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClear\
 coatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.di\
-ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Dv="uniform bool receiveShadow;\nuniform vec3 a\
+ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Fv="uniform bool receiveShadow;\nuniform vec3 a\
 mbientLightColor;\n#if defined( USE_LIGHT_PROBES )\n uniform vec3 lightProbe[ 9 ];\n#endif\nvec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {\n\
  float x = normal.x, y = normal.y, z = normal.z;\n vec3 result = shCoefficients[ 0 ] * 0.886227;\n result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;\n result += \
 shCoefficients[ 2 ] * 2.0 * 0.511664 * z;\n result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;\n result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;\n result \
@@ -1800,7 +1800,7 @@ r = vec3( 0.0 );\n   light.visible = false;\n  }\n }\n#endif\n#if NUM_RECT_AREA_
 TS > 0\n struct HemisphereLight {\n  vec3 direction;\n  vec3 skyColor;\n  vec3 groundColor;\n };\n uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];\n vec3 \
 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {\n  float dotNL = dot( normal, hemiLight.direction );\n  float hemiDiffu\
 seWeight = 0.5 * dotNL + 0.5;\n  vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );\n  return irradiance;\n }\n#endif\n#include <\
-lightprobes_pars_fragment>",Uv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
+lightprobes_pars_fragment>",Ov="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
 malByInverseViewMatrix( normal, viewMatrix );\n   vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );\n   return PI * envMapCol\
 or.rgb * envMapIntensity;\n  #else\n   return vec3( 0.0 );\n  #endif\n }\n vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness\
  ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 reflectVec = reflect( - viewDir, normal );\n   reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );\n  \
@@ -1816,14 +1816,14 @@ TROPY\n  vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 nor
 const in float roughness, const in vec3 bitangent, const in float anisotropy ) {\n    #ifdef ENVMAP_TYPE_PMREM\n     vec3 bentNormal = cross( bitangent, viewDir )\
 ;\n     bentNormal = normalize( cross( bentNormal, bitangent ) );\n     bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - ro\
 ughness ) ) ) ) );\n     return getIBLRetroRadiance( viewDir, bentNormal, roughness );\n    #else\n     return vec3( 0.0 );\n    #endif\n   }\n  #endif\n #endif\n#endif",
-Fv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Ov="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
+Bv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",kv="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
 ct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometry\
 ClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {\n vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.d\
 irection ) * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDiffuse_Toon( const in ve\
 c3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Toon\
 Material material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\n#define RE_D\
-irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Bv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
-l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",kv="varying vec3 vViewPosition;\nstruct Blin\
+irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",zv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
+l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Vv="varying vec3 vViewPosition;\nstruct Blin\
 nPhongMaterial {\n vec3 diffuseColor;\n vec3 specularColor;\n float specularShininess;\n float specularStrength;\n};\nvoid RE_Direct_BlinnPhong( const in IncidentLigh\
 t directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Blin\
 nPhongMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.direction ) );\n vec3 irradiance = dot\
@@ -1831,7 +1831,7 @@ NL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lamb
 _BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;\n}\nvoid RE\
 _IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec\
 3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_La\
-mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",zv="PhysicalMaterial m\
+mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Gv="PhysicalMaterial m\
 aterial;\nmaterial.diffuseColor = diffuseColor.rgb;\nmaterial.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );\nmaterial.metalness = metalnessFa\
 ctor;\nvec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );\nfloat geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );\nmater\
 ial.roughness = max( roughnessFactor, 0.045 );\nmaterial.roughness += geometryRoughness;\nmaterial.roughness = min( material.roughness, 1.0 );\n#ifdef USE_DIFFUSE_\
@@ -1859,7 +1859,7 @@ exture2D( anisotropyMap, vAnisotropyMapUv ).rgb;\n  vec2 anisotropyV = anisotrop
 #else\n  vec2 anisotropyV = anisotropyVector;\n #endif\n material.anisotropy = length( anisotropyV );\n if( material.anisotropy == 0.0 ) {\n  anisotropyV = vec2( 1.0\
 , 0.0 );\n } else {\n  anisotropyV /= material.anisotropy;\n  material.anisotropy = saturate( material.anisotropy );\n }\n material.alphaT = mix( pow2( material.roug\
 hness ), 1.0, pow2( material.anisotropy ) );\n material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;\n material.anisotropyB = tbn[ 1 ] * ani\
-sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Vv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
+sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Hv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
 cularColor;\n vec3 specularColorBlended;\n float roughness;\n float metalness;\n float specularF90;\n float dispersion;\n vec2 dfg;\n vec3 multiScatteringCompensation;\
 \n #ifdef USE_DIFFUSE_ROUGHNESS\n  float diffuseRoughness;\n #endif\n #ifdef USE_RETROREFLECTION\n  float retroreflectivity;\n #endif\n #ifdef USE_CLEARCOAT\n  float cl\
 earcoat;\n  float clearcoatRoughness;\n  vec3 clearcoatF0;\n  float clearcoatF90;\n #endif\n #ifdef USE_IRIDESCENCE\n  float iridescence;\n  float iridescenceIOR;\n  fl\
@@ -1992,7 +1992,7 @@ nce;\n vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;\n #ifdef USE_S
 nergyComp;\n #endif\n reflectedLight.indirectSpecular += indirectSpecular;\n reflectedLight.indirectDiffuse += indirectDiffuse;\n}\n#define RE_Direct    RE_Direct_Ph\
 ysical\n#define RE_Direct_RectArea  RE_Direct_RectArea_Physical\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Physical\n#define RE_IndirectSpecular  RE_IndirectS\
 pecular_Physical\nfloat computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {\n return saturate( pow( dotN\
-V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Gv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
+V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Wv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
 mal;\nvec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );\nvec3 geometryClearcoatNormal = vec3( 0.0 );\n#ifdef USE_CLEARCOAT\n\
  geometryClearcoatNormal = clearcoatNormal;\n#endif\n#ifdef USE_IRIDESCENCE\n float dotNVi = saturate( dot( normal, geometryViewDir ) );\n if ( material.iridescence\
 Thickness == 0.0 ) {\n  material.iridescence = 0.0;\n } else {\n  material.iridescence = saturate( material.iridescence );\n }\n if ( material.iridescence > 0.0 ) {\n\
@@ -2042,7 +2042,7 @@ ion, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;\n  vec3 probeWorldNormal = tr
 Min[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;\n  }\n  #pragma unroll_loop_end\n  #pragma unroll_loop_start\n  for ( int i = 0\
 ; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {\n   if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probe\
 sMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if defined( RE_IndirectSpecular )\n vec3 radia\
-nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Hv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
+nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Xv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
  lightMap, vLightMapUv );\n  vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;\n  irradiance += lightMapIrradiance;\n #endif\n #if defined( USE_ENVMA\
 P ) && defined( ENVMAP_TYPE_PMREM )\n  #if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )\n   iblIrradiance += getIBLIrradiance( geometryNormal );\n\
   #endif\n #endif\n#endif\n#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )\n #ifdef USE_ANISOTROPY\n  vec3 iblRadiance = getIBLAnisotropyRadiance( geomet\
@@ -2051,10 +2051,10 @@ yNormal, material.roughness );\n #endif\n #ifdef USE_RETROREFLECTION\n  #ifdef U
 wDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );\n  #else\n   vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, \
 geometryNormal, material.roughness );\n  #endif\n  iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );\n #endif\n radiance +\
 = iblRadiance;\n #ifdef USE_CLEARCOAT\n  clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );\n #endif\n#en\
-dif",Wv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
+dif",$v="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
 eometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endif\n#if defined( RE_IndirectSpecular )\n RE_IndirectSpe\
 cular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endi\
-f",Xv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
+f",qv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
 obesMax[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];\nbool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 pro\
 besMin, vec3 probesMax, vec3 probesResolution ) {\n vec3 spacing = ( probesMax - probesMin ) / probesResolution;\n vec3 samplePos = worldPos + worldNormal * spaci\
 ng * 0.5;\n vec3 margin = spacing * 0.01;\n return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin )\
@@ -2070,56 +2070,56 @@ xy );\n vec3 c2 = vec3( s1.zw, s2.x );\n vec3 c3 = s2.yzw;\n vec3 c4 = s3.xyz;\n
 vec3 c8 = s6.xyz;\n float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;\n vec3 result = c0 * 0.886227;\n result += c1 * 2.0 * 0.511664 * y;\n result += c\
 2 * 2.0 * 0.511664 * z;\n result += c3 * 2.0 * 0.511664 * x;\n result += c4 * 2.0 * 0.429043 * x * y;\n result += c5 * 2.0 * 0.429043 * y * z;\n result += c6 * ( 0.\
 743125 * z * z - 0.247708 );\n result += c7 * 2.0 * 0.429043 * x * z;\n result += c8 * 0.429043 * ( x * x - y * y );\n return max( result, vec3( 0.0 ) );\n}\n#endif",
-$v="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",qv="\
-#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Yv="#ifdef USE_L\
-OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Zv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
-tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",Jv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
-#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Kv="#ifde\
-f USE_MAP\n uniform sampler2D map;\n#endif",jv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
+Yv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Zv="\
+#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Jv="#ifdef USE_L\
+OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Kv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
+tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",jv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
+#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Qv="#ifde\
+f USE_MAP\n uniform sampler2D map;\n#endif",eb="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
 v = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;\n #endif\n#endif\n#ifdef USE_MAP\n diffuseColor *= texture2D( map, uv );\n#endif\n#ifdef U\
-SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Qv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
+SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",tb="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
 ed( USE_ALPHAMAP )\n  uniform mat3 uvTransform;\n #endif\n#endif\n#ifdef USE_MAP\n uniform sampler2D map;\n#endif\n#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#en\
-dif",eb="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
-Metalness.b;\n#endif",tb="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",nb="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
+dif",nb="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
+Metalness.b;\n#endif",ib="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",sb="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
 TARGETS_COUNT ];\n float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) \
-{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",ib="#if defined( USE_MORPHCOLORS )\n #if defined( U\
+{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",rb="#if defined( USE_MORPHCOLORS )\n #if defined( U\
 SE_COLOR_ALPHA )\n  vColor *= morphTargetBaseInfluence;\n #elif defined( USE_COLOR )\n  vColor.rgb *= morphTargetBaseInfluence;\n #endif\n for ( int i = 0; i < MORPH\
 TARGETS_COUNT; i ++ ) {\n  #if defined( USE_COLOR_ALPHA )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInflue\
 nces[ i ];\n  #elif defined( USE_COLOR )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ]\
-;\n  #endif\n }\n#endif",sb="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
-argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",rb="#ifdef USE_MORPHTARGETS\n #ifndef \
+;\n  #endif\n }\n#endif",ob="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
+argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",ab="#ifdef USE_MORPHTARGETS\n #ifndef \
 USE_INSTANCING_MORPH\n  uniform float morphTargetBaseInfluence;\n  uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];\n #endif\n uniform sampler2DArray morp\
 hTargetsTexture;\n uniform ivec2 morphTargetsTextureSize;\n vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {\n  int \
 texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;\n  int y = texelIndex / morphTargetsTextureSize.x;\n  int x = texelIndex - y * morphTargetsTextur\
-eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",ob="#ifdef USE_MORPHTARGETS\n \
+eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",lb="#ifdef USE_MORPHTARGETS\n \
 transformed *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( \
-gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",ab="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
+gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",cb="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
 vViewPosition );\n vec3 fdy = dFdy( vViewPosition );\n vec3 normal = normalize( cross( fdx, fdy ) );\n#else\n vec3 normal = normalize( vNormal );\n #ifdef DOUBLE_SID\
 ED\n  normal *= faceDirection;\n #endif\n#endif\n#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )\n #ifde\
 f USE_TANGENT\n  mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn = getTangentFrame( - vViewPosition, normal,\n  #if d\
 efined( USE_NORMALMAP )\n   vNormalMapUv\n  #elif defined( USE_CLEARCOAT_NORMALMAP )\n   vClearcoatNormalMapUv\n  #else\n   vUv\n  #endif\n  );\n #endif\n #ifdef DOUBLE_\
 SIDED\n  tbn[0] *= faceDirection;\n  tbn[1] *= faceDirection;\n #endif\n#endif\n#ifdef USE_CLEARCOAT_NORMALMAP\n #ifdef USE_TANGENT\n  mat3 tbn2 = mat3( normalize( vTa\
 ngent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );\n #endif\n #ifdef DOUBLE_SIDED\
-\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",lb="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
+\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",hb="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
 exture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\n #ifdef FLIP_SIDED\n  normal = - normal;\n #endif\n #ifdef DOUBLE_SIDED\n  normal = normal * faceDirection;\n #e\
 ndif\n normal = normalize( normalMatrix * normal );\n#elif defined( USE_NORMALMAP_TANGENTSPACE )\n vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0\
 ;\n #if defined( USE_PACKED_NORMALMAP )\n  mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );\n #endif\n mapN.xy *= normalScale;\n normal = n\
-ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",cb="#ifndef F\
-LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",hb="#ifndef FLAT_SHADED\n varying\
- vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",ub="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
+ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",ub="#ifndef F\
+LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",db="#ifndef FLAT_SHADED\n varying\
+ vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",fb="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
 ormedNormal );\n #ifdef USE_TANGENT\n  vTangent = normalize( transformedTangent );\n  vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );\n  #ifdef FL\
-IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",db="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
+IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",pb="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
 def USE_NORMALMAP_OBJECTSPACE\n uniform mat3 normalMatrix;\n#endif\n#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEA\
 RCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )\n mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {\n  vec3 q0 = dFdx( eye_pos.xyz );\n  vec3 q1 = d\
 Fdy( eye_pos.xyz );\n  vec2 st0 = dFdx( uv.st );\n  vec2 st1 = dFdy( uv.st );\n  vec3 N = surf_norm;\n  vec3 q1perp = cross( q1, N );\n  vec3 q0perp = cross( N, q0 )\
 ;\n  vec3 T = q1perp * st0.x + q0perp * st1.x;\n  vec3 B = q1perp * st0.y + q0perp * st1.y;\n  float det = max( dot( T, T ), dot( B, B ) );\n  float scale = ( det =\
-= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",fb="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
-\n#endif",pb="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
-clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",mb="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
+= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",mb="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
+\n#endif",gb="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
+clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",_b="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
  USE_CLEARCOAT_NORMALMAP\n uniform sampler2D clearcoatNormalMap;\n uniform vec2 clearcoatNormalScale;\n#endif\n#ifdef USE_CLEARCOAT_ROUGHNESSMAP\n uniform sampler2D \
-clearcoatRoughnessMap;\n#endif",gb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
-ridescenceThicknessMap;\n#endif",_b="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
-FragColor = vec4( outgoingLight, diffuseColor.a );",xb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
+clearcoatRoughnessMap;\n#endif",xb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
+ridescenceThicknessMap;\n#endif",yb="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
+FragColor = vec4( outgoingLight, diffuseColor.a );",vb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
 ToNormal( const in vec3 rgb ) {\n return 2.0 * rgb.xyz - 1.0;\n}\nconst float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float Shift\
 Right8 = 1. / 256.;\nconst float Inv255 = 1. / 255.;\nconst vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );\nconst vec2 UnpackFactors2\
  = vec2( UnpackDownscale, 1.0 / PackFactors.g );\nconst vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );\nconst vec4 UnpackFac\
@@ -2137,13 +2137,13 @@ ear - far );\n}\nfloat orthographicDepthToViewZ( const in float depth, const in 
 pth * ( far - near ) - far;\n #else\n  return depth * ( near - far ) - near;\n #endif\n}\nfloat viewZToPerspectiveDepth( const in float viewZ, const in float near, c\
 onst in float far ) {\n return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );\n}\nfloat perspectiveDepthToViewZ( const in float depth, const in float nea\
 r, const in float far ) {\n \n #ifdef USE_REVERSED_DEPTH_BUFFER\n  return ( near * far ) / ( ( near - far ) * depth - near );\n #else\n  return ( near * far ) / ( ( \
-far - near ) * depth - far );\n #endif\n}",yb="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",vb="vec4 mvPosition = vec4( transformed\
+far - near ) * depth - far );\n #endif\n}",bb="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",Mb="vec4 mvPosition = vec4( transformed\
 , 1.0 );\n#ifdef USE_BATCHING\n mvPosition = batchingMatrix * mvPosition;\n#endif\n#ifdef USE_INSTANCING\n mvPosition = instanceMatrix * mvPosition;\n#endif\nmvPositio\
-n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",bb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
-Mb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
+n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",Sb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
+wb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
 0, 0.25 / 255.0 );\n  dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );\n  return color + dither_shift_RGB;\n }\n#endif",
-Sb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
-ness.g;\n#endif",wb="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Tb="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
+Tb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
+ness.g;\n#endif",Ab="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Eb="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
 T_LIGHT_COORDS ];\n#endif\n#if NUM_SPOT_LIGHT_MAPS > 0\n uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHAD\
 OWS > 0\n  #define SUN_LIGHT_CASCADES 2\n  #if defined( SHADOWMAP_TYPE_PCF )\n   uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #else\n   uniform \
 sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #endif\n  uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];\n  uniform vec4 sunShadow\
@@ -2207,7 +2207,7 @@ dowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 sh
 wSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {\n   float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpace\
 Z * ( shadowCameraFar - shadowCameraNear ) );\n   dp += shadowBias;\n   vec3 bd3D = normalize( lightToPosition );\n   float depth = textureCube( shadowMap, bd3D ).\
 r;\n   #ifdef USE_REVERSED_DEPTH_BUFFER\n    depth = 1.0 - depth;\n   #endif\n   shadow = step( dp, depth );\n  }\n  return mix( 1.0, shadow, shadowIntensity );\n }\n #\
-endif\n #endif\n#endif",Ab="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
+endif\n #endif\n#endif",Cb="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
 COORDS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  varying vec4 vSunShadowWorldPosition;\n  varying vec3 vSunShadowWorldNormal;\n #endif\n #if \
 NUM_DIR_LIGHT_SHADOWS > 0\n  uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];\n  varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];\n  st\
 ruct DirectionalLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shadowMapSize;\n  };\n  uni\
@@ -2216,7 +2216,7 @@ Intensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRad
 OT_LIGHT_SHADOWS ];\n #endif\n #if NUM_POINT_LIGHT_SHADOWS > 0\n  uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];\n  varying vec4 vPointShadowCoord[ NUM_\
 POINT_LIGHT_SHADOWS ];\n  struct PointLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shad\
 owMapSize;\n   float shadowCameraNear;\n   float shadowCameraFar;\n  };\n  uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];\n #endif\n#endif",
-Eb="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
+Rb="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
  )\n #ifdef HAS_NORMAL\n  vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );\n #else\n  vec3 shadowWorldNormal = vec3( 0.\
 0 );\n #endif\n vec4 shadowWorldPosition;\n#endif\n#if defined( USE_SHADOWMAP )\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  vSunShadowWorldPosition = vec4( worldPosition.xyz, \
 - mvPosition.z );\n  vSunShadowWorldNormal = shadowWorldNormal;\n #endif\n #if NUM_DIR_LIGHT_SHADOWS > 0\n  #pragma unroll_loop_start\n  for ( int i = 0; i < NUM_DIR\
@@ -2226,7 +2226,7 @@ op_start\n  for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n   shadowWor
 owNormalBias, 0 );\n   vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if NUM_SPOT_LIGHT_COO\
 RDS > 0\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {\n  shadowWorldPosition = worldPosition;\n  #if ( defined( USE_SHADOWMAP )\
  && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )\n   shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;\n  #endif\n  vSpotLig\
-htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Cb="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
+htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Pb="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
 HADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n SunLightShadow sunLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {\n  sunLight = \
 sunLightShadows[ i ];\n  shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #\
 if NUM_DIR_LIGHT_SHADOWS > 0\n DirectionalLightShadow directionalLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {\n  direct\
@@ -2238,19 +2238,19 @@ ius, vSpotLightCoord[ i ] ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #if 
 _TYPE_BASIC ) )\n PointLightShadow pointLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n  pointLight = pointLightShadow\
 s[ i ];\n  shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight\
 .shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #endif\n return shad\
-ow;\n}",Rb="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
-inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Pb="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
+ow;\n}",Ib="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
+inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Lb="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
 m highp sampler2D boneTexture;\n mat4 getBoneMatrix( const in float i ) {\n  int size = textureSize( boneTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % siz\
 e;\n  int y = j / size;\n  vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFe\
-tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Ib="#ifde\
+tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Nb="#ifde\
 f USE_SKINNING\n vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );\n vec4 skinned = vec4( 0.0 );\n skinned += boneMatX * skinVertex * skinWeight.x;\n skinned\
  += boneMatY * skinVertex * skinWeight.y;\n skinned += boneMatZ * skinVertex * skinWeight.z;\n skinned += boneMatW * skinVertex * skinWeight.w;\n transformed = ( b\
-indMatrixInverse * skinned ).xyz;\n#endif",Lb="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
+indMatrixInverse * skinned ).xyz;\n#endif",Db="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
 ight.y * boneMatY;\n skinMatrix += skinWeight.z * boneMatZ;\n skinMatrix += skinWeight.w * boneMatW;\n skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;\n o\
 bjectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;\n #ifdef USE_TANGENT\n  objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;\n #e\
-ndif\n#endif",Nb="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
-ar.r;\n#else\n specularStrength = 1.0;\n#endif",Db="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Ub="#if defined( TONE_MAPPING )\n gl_FragCol\
-or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Fb="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
+ndif\n#endif",Ub="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
+ar.r;\n#else\n specularStrength = 1.0;\n#endif",Fb="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Ob="#if defined( TONE_MAPPING )\n gl_FragCol\
+or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Bb="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
 3 LinearToneMapping( vec3 color ) {\n return saturate( toneMappingExposure * color );\n}\nvec3 ReinhardToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n \
 return saturate( color / ( vec3( 1.0 ) + color ) );\n}\nvec3 CineonToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n color = max( vec3( 0.0 ), color - 0\
 .004 );\n return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );\n}\nvec3 RRTAndODTFit( vec3 v ) {\n vec3 a = v * \
@@ -2272,13 +2272,13 @@ ralToneMapping( vec3 color ) {\n const float StartCompression = 0.8 - 0.04;\n co
 r.r, min( color.g, color.b ) );\n float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;\n color -= offset;\n float peak = max( color.r, max( color.g, color.b ) );\n if\
  ( peak < StartCompression ) return color;\n float d = 1. - StartCompression;\n float newPeak = 1. - d * d / ( peak + d - StartCompression );\n color *= newPeak / \
 peak;\n float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );\n return mix( color, vec3( newPeak ), g );\n}\nvec3 CustomToneMapping( vec3 color ) { return\
- color; }",Ob="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
+ color; }",kb="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
 nuationDistance = attenuationDistance;\n material.attenuationColor = attenuationColor;\n #ifdef USE_TRANSMISSIONMAP\n  material.transmission *= texture2D( transmis\
 sionMap, vTransmissionMapUv ).r;\n #endif\n #ifdef USE_THICKNESSMAP\n  material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;\n #endif\n vec3 pos = vWor\
 ldPosition;\n vec3 v = normalize( cameraPosition - pos );\n vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );\n vec4 transmitted = getIBLVolumeRef\
 raction(\n  n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,\n  pos, modelMatrix, viewMatrix, projecti\
 onMatrix, material.dispersion, material.ior, material.thickness,\n  material.attenuationColor, material.attenuationDistance );\n material.transmissionAlpha = mix(\
- material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Bb="\
+ material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",zb="\
 #ifdef USE_TRANSMISSION\n uniform float transmission;\n uniform float thickness;\n uniform float attenuationDistance;\n uniform vec3 attenuationColor;\n #ifdef USE_T\
 RANSMISSIONMAP\n  uniform sampler2D transmissionMap;\n #endif\n #ifdef USE_THICKNESSMAP\n  uniform sampler2D thicknessMap;\n #endif\n uniform vec2 transmissionSampler\
 Size;\n uniform sampler2D transmissionSamplerMap;\n uniform mat4 modelMatrix;\n uniform mat4 projectionMatrix;\n varying vec3 vWorldPosition;\n float w0( float a ) {\
@@ -2315,7 +2315,7 @@ Ray;\n   vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );\
 efractionCoords /= 2.0;\n   transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );\n   transmittance = diffuseColor * volumeAttenuation( le\
 ngth( transmissionRay ), attenuationColor, attenuationDistance );\n  #endif\n  vec3 attenuatedColor = transmittance * transmittedLight.rgb;\n  vec3 F = Environment\
 BRDF( n, v, specularColor, specularF90, roughness );\n  float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;\n  return vec4(\
- ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",kb="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
+ ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",Vb="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
  varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAMAP\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n varying vec2 vL\
 ightMapUv;\n#endif\n#ifdef USE_AOMAP\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n varying vec2 vBumpMapUv;\n#endif\n#ifdef USE_NORMALMAP\n varying vec2 vNormal\
 MapUv;\n#endif\n#ifdef USE_EMISSIVEMAP\n varying vec2 vEmissiveMapUv;\n#endif\n#ifdef USE_METALNESSMAP\n varying vec2 vMetalnessMapUv;\n#endif\n#ifdef USE_ROUGHNESSMAP\n\
@@ -2325,7 +2325,7 @@ ef USE_CLEARCOAT_ROUGHNESSMAP\n varying vec2 vClearcoatRoughnessMapUv;\n#endif\n
 CENCE_THICKNESSMAP\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SHEEN_COLORMAP\n varying vec2 vSheenColorMapUv;\n#endif\n#ifdef USE_SHEEN_ROUGHNESSM\
 AP\n varying vec2 vSheenRoughnessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n varying vec2 vSpecularMapUv;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n varying vec2 vSpecularCo\
 lorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransfor\
-m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",zb="#if de\
+m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Gb="#if de\
 fined( USE_UV ) || defined( USE_ANISOTROPY )\n varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n uniform mat3 mapTransform;\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAM\
 AP\n uniform mat3 alphaMapTransform;\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n uniform mat3 lightMapTransform;\n varying vec2 vLightMapUv;\n#endif\n#if\
 def USE_AOMAP\n uniform mat3 aoMapTransform;\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n uniform mat3 bumpMapTransform;\n varying vec2 vBumpMapUv;\n#endif\n#\
@@ -2341,7 +2341,7 @@ ef USE_IRIDESCENCEMAP\n uniform mat3 iridescenceMapTransform;\n varying vec2 vIr
 ceThicknessMapTransform;\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n uniform mat3 specularMapTransform;\n varying vec2 vSpecularMapU\
 v;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n uniform mat3 specularColorMapTransform;\n varying vec2 vSpecularColorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n unif\
 orm mat3 specularIntensityMapTransform;\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransform;\n varyin\
-g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Vb="#if defined( USE_\
+g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Hb="#if defined( USE_\
 UV ) || defined( USE_ANISOTROPY )\n vUv = vec3( uv, 1 ).xy;\n#endif\n#ifdef USE_MAP\n vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_ALPHAMAP\n \
 vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_LIGHTMAP\n vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;\n#e\
 ndif\n#ifdef USE_AOMAP\n vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_BUMPMAP\n vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 \
@@ -2359,27 +2359,27 @@ EN_ROUGHNESSMAP\n vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SH
 specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_C\
 OLORMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) )\
 .xy;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_THICKNESSMAP\n vT\
-hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",Gb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
+hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",Wb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
 MAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0\n vec4 worldPosition = vec4( transformed, 1.0 );\n #ifdef USE_BATCHING\n  worldPosition = batchi\
 ngMatrix * worldPosition;\n #endif\n #ifdef USE_INSTANCING\n  worldPosition = instanceMatrix * worldPosition;\n #endif\n worldPosition = modelMatrix * worldPosition;\
-\n#endif",Hb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
-\n}",Wb="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
+\n#endif",Xb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
+\n}",$b="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
 TEXTURE\n  texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texCol\
 or.rgb, vec3( 0.04045 ) ) ) ), texColor.w );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include \
-<colorspace_fragment>\n}",Xb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
-clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",$b="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
+<colorspace_fragment>\n}",qb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
+clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Yb="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
 \nuniform mat3 backgroundRotation;\nvarying vec3 vWorldDirection;\n#include <envmap_common_pars_fragment>\nvoid main() {\n #ifdef ENVMAP_TYPE_PMREM\n  vec4 texColor =\
  textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );\n #else\n  vec4 texColor = textureCube( envMap, backgroundRot\
 ation * vWorldDirection );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include <colorspace_fragme\
-nt>\n}",qb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
-x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Yb="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
+nt>\n}",Zb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
+x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Jb="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
 ldDirection;\nvoid main() {\n vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );\n gl_FragColor = texColor;\n gl_FragColor\
-.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",Zb="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
+.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",Kb="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
 rtex>\n#include <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <cli\
 pping_planes_pars_vertex>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n #include <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <\
 morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
-f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",Jb="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
+f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",jb="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
 mmon>\n#include <packing>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include \
 <alphahash_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n vec4 diffu\
 seColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #if DEPTH_PACKING == 3200\n  diffuseColor.a = opacity;\n #endif\n #include <map_fragment>\n #include <a\
@@ -2387,34 +2387,34 @@ lphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment
 oordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];\n #else\n  float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;\n #endif\n #if DEPTH\
 _PACKING == 3200\n  gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );\n #elif DEPTH_PACKING == 3201\n  gl_FragColor = packDepthToRGBA( fragCoordZ );\n #elif\
  DEPTH_PACKING == 3202\n  gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );\n #elif DEPTH_PACKING == 3203\n  gl_FragColor = vec4( packDepthToRG( fragCoordZ\
- ), 0.0, 1.0 );\n #endif\n}",Kb="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
+ ), 0.0, 1.0 );\n #endif\n}",Qb="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
 ude <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #incl\
 ude <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_ver\
 tex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n\
  #include <displacementmap_vertex>\n #include <project_vertex>\n #include <worldpos_vertex>\n #include <clipping_planes_vertex>\n vWorldPosition = worldPosition.xyz\
-;\n}",jb="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
+;\n}",eM="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
 \n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment\
 >\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #include <map_fragment>\n #inclu\
 de <alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n float dist = length( vWorldPosition - referencePosition );\n dist = ( dist \
-- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",Qb="varying vec3 vWorldDirection\
-;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",eM="\
+- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",tM="varying vec3 vWorldDirection\
+;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",nM="\
 uniform sampler2D tEquirect;\nvarying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vec3 direction = normalize( vWorldDirection );\n vec2 sampleUV = equi\
-rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",tM="uniform float\
+rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",iM="uniform float\
  scale;\nattribute float lineDistance;\nvarying float vLineDistance;\n#include <common>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_v\
 ertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n vLineDistance = scale * lineD\
 istance;\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morph\
-target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",nM="uniform vec3 diff\
+target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",sM="uniform vec3 diff\
 use;\nuniform float opacity;\nuniform float dashSize;\nuniform float totalSize;\nvarying float vLineDistance;\n#include <common>\n#include <color_pars_fragment>\n#incl\
 ude <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nv\
 oid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n if ( mod( vLineDistance, totalSize ) > dashSize ) {\n  discard;\
 \n }\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n outgoingLight = diffuseColor.rgb;\n \
 #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-iM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
+rM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
 rtex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\
 \n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #if defined ( USE_EN\
 VMAP ) || defined ( USE_SKINNING )\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinbase_vertex>\n  #include <skinnormal_vertex>\n \
  #include <defaultnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #includ\
-e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",sM="uniform vec3 \
+e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",oM="uniform vec3 \
 diffuse;\nuniform float opacity;\n#ifndef FLAT_SHADED\n varying vec3 vNormal;\n#endif\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_frag\
 ment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fra\
 gment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <fog_par\
@@ -2425,14 +2425,14 @@ ht( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );\n #ifdef USE_LIGHTMAP\
 ectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;\n #else\n  reflectedLight.indirectDiffuse += vec3( 1.0 );\n #endif\n #include <aomap_fragment>\n\
  reflectedLight.indirectDiffuse *= diffuseColor.rgb;\n vec3 outgoingLight = reflectedLight.indirectDiffuse;\n #include <envmap_fragment>\n #include <opaque_fragmen\
 t>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragm\
-ent>\n}",rM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
+ent>\n}",aM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
 ars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <morphtarget_pars_verte\
 x>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #in\
 clude <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_ver\
 tex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
 f_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",oM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
+x>\n #include <fog_vertex>\n}",lM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
 s_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_f\
 ragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envm\
 ap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights\
@@ -2444,13 +2444,13 @@ alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragmen
 ormal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_lambert_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_maps>\n #i\
 nclude <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadia\
 nce;\n #include <envmap_fragment>\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include\
- <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",aM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
+ <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",cM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
 tex>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#inc\
 lude <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include\
  <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n\
  #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <b\
 egin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_ver\
-tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",lM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
+tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",hM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
 opacity;\nuniform sampler2D matcap;\nvarying vec3 vViewPosition;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_\
 pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fo\
 g_pars_fragment>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#inclu\
@@ -2460,25 +2460,25 @@ ment>\n #include <map_fragment>\n #include <color_fragment>\n #include <alphamap
 \n vec3 y = cross( viewDir, x );\n vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;\n #ifdef USE_MATCAP\n  vec4 matcapColor = texture2D( matcap, \
 uv );\n #else\n  vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );\n #endif\n vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;\n #include <opaqu\
 e_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dither\
-ing_fragment>\n}",cM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
+ing_fragment>\n}",uM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
 #endif\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <normal_pars_vertex>\n#include\
  <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv\
 _vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n\
  #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skin\
 ning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n#if defined( FLAT_S\
-HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",hM="#define NORMAL\nuniform float opac\
+HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",dM="#define NORMAL\nuniform float opac\
 ity;\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n#endif\n#include <uv_pars_fragmen\
 t>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_p\
 lanes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );\n #include <clipping_planes_fragment>\n #include <logdepthbuf_fragment>\n #\
 include <normal_fragment_begin>\n #include <normal_fragment_maps>\n gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );\n #ifdef OPAQUE\n  gl_Fr\
-agColor.a = 1.0;\n #endif\n}",uM="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
+agColor.a = 1.0;\n #endif\n}",fM="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
  <displacementmap_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <mor\
 phtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\
 \nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include\
  <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <nor\
 mal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #\
 include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #inclu\
-de <shadowmap_vertex>\n #include <fog_vertex>\n}",dM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
+de <shadowmap_vertex>\n #include <fog_vertex>\n}",pM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
 \nuniform float opacity;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragm\
 ent>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_p\
 ars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragmen\
@@ -2491,14 +2491,14 @@ larmap_fragment>\n #include <normal_fragment_begin>\n #include <normal_fragment_
  <lights_fragment_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.direct\
 Diffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;\n #include <envmap_fragment>\n\
  #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n \
-#include <dithering_fragment>\n}",fM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
+#include <dithering_fragment>\n}",mM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
 >\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#incl\
 ude <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n\
 #include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_verte\
 x>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include\
  <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap\
 _vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_ver\
-tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",pM="#define STANDARD\n#ifde\
+tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",gM="#define STANDARD\n#ifde\
 f PHYSICAL\n #define IOR\n #define USE_SPECULAR\n#endif\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float roughness;\nuniform float metalness;\nuniform floa\
 t opacity;\n#ifdef IOR\n uniform float ior;\n#endif\n#ifdef USE_SPECULAR\n uniform float specularIntensity;\n uniform vec3 specularColor;\n #ifdef USE_SPECULAR_COLORMA\
 P\n  uniform sampler2D specularColorMap;\n #endif\n #ifdef USE_SPECULAR_INTENSITYMAP\n  uniform sampler2D specularIntensityMap;\n #endif\n#endif\n#ifdef USE_CLEARCOAT\n\
@@ -2524,14 +2524,14 @@ cal_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_map
 SpecularDirect + sheenSpecularIndirect;\n \n  #endif\n #ifdef USE_CLEARCOAT\n  float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );\n  vec3 F\
 cc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );\n  outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecul\
 arDirect + clearcoatSpecularIndirect ) * material.clearcoat;\n #endif\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment\
->\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",mM="#define TOON\nvarying vec3 vViewPosition;\n#include \
+>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",_M="#define TOON\nvarying vec3 vViewPosition;\n#include \
 <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex\
 >\n#include <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_v\
 ertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolo\
 r_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #\
 include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displace\
 mentmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <world\
-pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",gM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
+pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",xM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
 ude <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_\
 fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emiss\
 ivemap_pars_fragment>\n#include <gradientmap_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_pars_begin>\n#include <normal_pars_frag\
@@ -2542,54 +2542,54 @@ epthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n #inclu
 >\n #include <normal_fragment_begin>\n #include <normal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_toon_fragment>\n #include <lights_fragmen\
 t_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflec\
 tedLight.indirectDiffuse + totalEmissiveRadiance;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fr\
-agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",_M="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
+agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",yM="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
 olor_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\n#ifdef\
  USE_POINTS_UV\n varying vec2 vUv;\n uniform mat3 uvTransform;\n#endif\nvoid main() {\n #ifdef USE_POINTS_UV\n  vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n #endif\n #in\
 clude <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <project_v\
 ertex>\n gl_PointSize = size;\n #ifdef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( projectionMatrix );\n  if ( isPerspective ) gl_PointSize *= \
 ( scale / - mvPosition.z );\n #endif\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <fog_vertex>\n}",
-xM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
+vM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
 _fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid ma\
 in() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n \
 #include <map_particle_fragment>\n #include <color_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #i\
 nclude <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-yM="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
+bM="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
 gdepthbuf_pars_vertex>\n#include <shadowmap_pars_vertex>\nvoid main() {\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex\
 >\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <begin_vertex>\n #include <\
 morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <worldpos_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",vM="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
+x>\n #include <fog_vertex>\n}",MM="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
 ars_begin>\n#include <logdepthbuf_pars_fragment>\n#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>\nvoid main() {\n #include <logdepthbuf_frag\
 ment>\n gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragme\
-nt>\n #include <premultiplied_alpha_fragment>\n}",bM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
+nt>\n #include <premultiplied_alpha_fragment>\n}",SM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
 s_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n vec4 mvPosition = modelViewMatrix[ 3 ];\
 \n vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );\n #ifndef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( \
 projectionMatrix );\n  if ( isPerspective ) scale *= - mvPosition.z;\n #endif\n vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;\n vec2 ro\
 tatedPosition;\n rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;\n rotatedPosition.y = sin( rotation ) * alignedPos\
 ition.x + cos( rotation ) * alignedPosition.y;\n mvPosition.xy += rotatedPosition;\n gl_Position = projectionMatrix * mvPosition;\n #include <logdepthbuf_vertex>\n \
-#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",MM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
+#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",wM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
 clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#\
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Wy,alphahash_pars_fragment:Xy,alphamap_fragment:$y,alphamap_pars_fragment:qy,alphatest_fragment:Yy,
-alphatest_pars_fragment:Zy,aomap_fragment:Jy,aomap_pars_fragment:Ky,batching_pars_vertex:jy,batching_vertex:Qy,begin_vertex:ev,beginnormal_vertex:tv,bsdfs:nv,iridescence_fragment:iv,
-bumpmap_pars_fragment:sv,clipping_planes_fragment:rv,clipping_planes_pars_fragment:ov,clipping_planes_pars_vertex:av,clipping_planes_vertex:lv,color_fragment:cv,
-color_pars_fragment:hv,color_pars_vertex:uv,color_vertex:dv,common:fv,defaultnormal_vertex:pv,displacementmap_pars_vertex:mv,displacementmap_vertex:gv,emissivemap_fragment:_v,
-emissivemap_pars_fragment:xv,colorspace_fragment:yv,colorspace_pars_fragment:vv,envmap_fragment:bv,envmap_common_pars_fragment:Mv,envmap_pars_fragment:Sv,envmap_pars_vertex:wv,
-envmap_physical_pars_fragment:Uv,envmap_vertex:Tv,fog_vertex:Av,fog_pars_vertex:Ev,fog_fragment:Cv,fog_pars_fragment:Rv,gradientmap_pars_fragment:Pv,lightmap_pars_fragment:Iv,
-lights_lambert_fragment:Lv,lights_lambert_pars_fragment:Nv,lights_pars_begin:Dv,lights_toon_fragment:Fv,lights_toon_pars_fragment:Ov,lights_phong_fragment:Bv,lights_phong_pars_fragment:kv,
-lights_physical_fragment:zv,lights_physical_pars_fragment:Vv,lights_fragment_begin:Gv,lights_fragment_maps:Hv,lights_fragment_end:Wv,lightprobes_pars_fragment:Xv,
-logdepthbuf_fragment:$v,logdepthbuf_pars_fragment:qv,logdepthbuf_pars_vertex:Yv,logdepthbuf_vertex:Zv,map_fragment:Jv,map_pars_fragment:Kv,map_particle_fragment:jv,
-map_particle_pars_fragment:Qv,metalnessmap_fragment:eb,metalnessmap_pars_fragment:tb,morphinstance_vertex:nb,morphcolor_vertex:ib,morphnormal_vertex:sb,morphtarget_pars_vertex:rb,
-morphtarget_vertex:ob,normal_fragment_begin:ab,normal_fragment_maps:lb,normal_pars_fragment:cb,normal_pars_vertex:hb,normal_vertex:ub,normalmap_pars_fragment:db,
-clearcoat_normal_fragment_begin:fb,clearcoat_normal_fragment_maps:pb,clearcoat_pars_fragment:mb,iridescence_pars_fragment:gb,opaque_fragment:_b,packing:xb,premultiplied_alpha_fragment:yb,
-project_vertex:vb,dithering_fragment:bb,dithering_pars_fragment:Mb,roughnessmap_fragment:Sb,roughnessmap_pars_fragment:wb,shadowmap_pars_fragment:Tb,shadowmap_pars_vertex:Ab,
-shadowmap_vertex:Eb,shadowmask_pars_fragment:Cb,skinbase_vertex:Rb,skinning_pars_vertex:Pb,skinning_vertex:Ib,skinnormal_vertex:Lb,specularmap_fragment:Nb,specularmap_pars_fragment:Db,
-tonemapping_fragment:Ub,tonemapping_pars_fragment:Fb,transmission_fragment:Ob,transmission_pars_fragment:Bb,uv_pars_fragment:kb,uv_pars_vertex:zb,uv_vertex:Vb,worldpos_vertex:Gb,
-background_vert:Hb,background_frag:Wb,backgroundCube_vert:Xb,backgroundCube_frag:$b,cube_vert:qb,cube_frag:Yb,depth_vert:Zb,depth_frag:Jb,distance_vert:Kb,distance_frag:jb,
-equirect_vert:Qb,equirect_frag:eM,linedashed_vert:tM,linedashed_frag:nM,meshbasic_vert:iM,meshbasic_frag:sM,meshlambert_vert:rM,meshlambert_frag:oM,meshmatcap_vert:aM,
-meshmatcap_frag:lM,meshnormal_vert:cM,meshnormal_frag:hM,meshphong_vert:uM,meshphong_frag:dM,meshphysical_vert:fM,meshphysical_frag:pM,meshtoon_vert:mM,meshtoon_frag:gM,
-points_vert:_M,points_frag:xM,shadow_vert:yM,shadow_frag:vM,sprite_vert:bM,sprite_frag:MM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
+agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:$y,alphahash_pars_fragment:qy,alphamap_fragment:Yy,alphamap_pars_fragment:Zy,alphatest_fragment:Jy,
+alphatest_pars_fragment:Ky,aomap_fragment:jy,aomap_pars_fragment:Qy,batching_pars_vertex:ev,batching_vertex:tv,begin_vertex:nv,beginnormal_vertex:iv,bsdfs:sv,iridescence_fragment:rv,
+bumpmap_pars_fragment:ov,clipping_planes_fragment:av,clipping_planes_pars_fragment:lv,clipping_planes_pars_vertex:cv,clipping_planes_vertex:hv,color_fragment:uv,
+color_pars_fragment:dv,color_pars_vertex:fv,color_vertex:pv,common:mv,defaultnormal_vertex:gv,displacementmap_pars_vertex:_v,displacementmap_vertex:xv,emissivemap_fragment:yv,
+emissivemap_pars_fragment:vv,colorspace_fragment:bv,colorspace_pars_fragment:Mv,envmap_fragment:Sv,envmap_common_pars_fragment:wv,envmap_pars_fragment:Tv,envmap_pars_vertex:Av,
+envmap_physical_pars_fragment:Ov,envmap_vertex:Ev,fog_vertex:Cv,fog_pars_vertex:Rv,fog_fragment:Pv,fog_pars_fragment:Iv,gradientmap_pars_fragment:Lv,lightmap_pars_fragment:Nv,
+lights_lambert_fragment:Dv,lights_lambert_pars_fragment:Uv,lights_pars_begin:Fv,lights_toon_fragment:Bv,lights_toon_pars_fragment:kv,lights_phong_fragment:zv,lights_phong_pars_fragment:Vv,
+lights_physical_fragment:Gv,lights_physical_pars_fragment:Hv,lights_fragment_begin:Wv,lights_fragment_maps:Xv,lights_fragment_end:$v,lightprobes_pars_fragment:qv,
+logdepthbuf_fragment:Yv,logdepthbuf_pars_fragment:Zv,logdepthbuf_pars_vertex:Jv,logdepthbuf_vertex:Kv,map_fragment:jv,map_pars_fragment:Qv,map_particle_fragment:eb,
+map_particle_pars_fragment:tb,metalnessmap_fragment:nb,metalnessmap_pars_fragment:ib,morphinstance_vertex:sb,morphcolor_vertex:rb,morphnormal_vertex:ob,morphtarget_pars_vertex:ab,
+morphtarget_vertex:lb,normal_fragment_begin:cb,normal_fragment_maps:hb,normal_pars_fragment:ub,normal_pars_vertex:db,normal_vertex:fb,normalmap_pars_fragment:pb,
+clearcoat_normal_fragment_begin:mb,clearcoat_normal_fragment_maps:gb,clearcoat_pars_fragment:_b,iridescence_pars_fragment:xb,opaque_fragment:yb,packing:vb,premultiplied_alpha_fragment:bb,
+project_vertex:Mb,dithering_fragment:Sb,dithering_pars_fragment:wb,roughnessmap_fragment:Tb,roughnessmap_pars_fragment:Ab,shadowmap_pars_fragment:Eb,shadowmap_pars_vertex:Cb,
+shadowmap_vertex:Rb,shadowmask_pars_fragment:Pb,skinbase_vertex:Ib,skinning_pars_vertex:Lb,skinning_vertex:Nb,skinnormal_vertex:Db,specularmap_fragment:Ub,specularmap_pars_fragment:Fb,
+tonemapping_fragment:Ob,tonemapping_pars_fragment:Bb,transmission_fragment:kb,transmission_pars_fragment:zb,uv_pars_fragment:Vb,uv_pars_vertex:Gb,uv_vertex:Hb,worldpos_vertex:Wb,
+background_vert:Xb,background_frag:$b,backgroundCube_vert:qb,backgroundCube_frag:Yb,cube_vert:Zb,cube_frag:Jb,depth_vert:Kb,depth_frag:jb,distance_vert:Qb,distance_frag:eM,
+equirect_vert:tM,equirect_frag:nM,linedashed_vert:iM,linedashed_frag:sM,meshbasic_vert:rM,meshbasic_frag:oM,meshlambert_vert:aM,meshlambert_frag:lM,meshmatcap_vert:cM,
+meshmatcap_frag:hM,meshnormal_vert:uM,meshnormal_frag:dM,meshphong_vert:fM,meshphong_frag:pM,meshphysical_vert:mM,meshphysical_frag:gM,meshtoon_vert:_M,meshtoon_frag:xM,
+points_vert:yM,points_frag:vM,shadow_vert:bM,shadow_frag:MM,sprite_vert:SM,sprite_frag:wM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2636,26 +2636,26 @@ sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransfo
 value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
 attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},SM=new xt,Cg=new Qe;Cg.set(
--1,0,0,0,1,0,0,0,1);function wM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
-let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?m(o,a):b&&b.isColor&&(m(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},TM=new xt,Cg=new Qe;Cg.set(
+-1,0,0,0,1,0,0,0,1);function AM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
+let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?g(o,a):b&&b.isColor&&(g(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,w){let b=f(w);b&&b.isCubeTexture?(c===
 void 0&&(c=new hi(new Is(1,1,1),new zi({name:"BackgroundCubeMaterial",uniforms:rr(Wi.backgroundCube.uniforms),vertexShader:Wi.backgroundCube.vertexShader,fragmentShader:Wi.
 backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,S,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(SM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
+value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(TM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
 !1&&c.material.uniforms.backgroundRotation.value.premultiply(Cg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new hi(
 new Qo(2,2),new zi({name:"BackgroundMaterial",uniforms:rr(Wi.background.uniforms),vertexShader:Wi.background.vertexShader,fragmentShader:Wi.background.fragmentShader,
 side:Fs,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
 uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,w){x.getRGB(zc,nd(i)),
-t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
-a=x,m(o,a)},render:p,addToRenderList:y,dispose:g}}function TM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function g(x,w){x.getRGB(zc,nd(i)),
+t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
+a=x,g(o,a)},render:p,addToRenderList:y,dispose:m}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
 W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
@@ -2665,18 +2665,18 @@ Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){le
 instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
 W||r.index!==D}function p(I,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
 eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function m(I){g(I,0)}function g(I,F){
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function g(I){m(I,0)}function m(I,F){
 let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),G[I]!==F&&(i.vertexAttribDivisor(I,F),G[I]=
 F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function w(I,F,z,D,G,Y,W){
 W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
 for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
 instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
 Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
-if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
-!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
+if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
+!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
 ee);for(let Ve=0;Ve<K.locationSize;Ve++)w(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
-K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let Me=0;Me<K.locationSize;Me++)m(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
+K.locationSize;Me++)m(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let Me=0;Me<K.locationSize;Me++)g(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
 de*xe,de/K.locationSize*Me*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
 K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){R();for(let I in n){let F=n[I];for(let z in F){
 let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function S(I){if(n[I.id]===void 0)return;let F=n[I.id];
@@ -2684,10 +2684,10 @@ for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].obje
 for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function R(){P(),o=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:R,resetDefaultState:P,
-dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:m,disableUnusedAttributes:x}}function AM(i,e,t){
+dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:g,disableUnusedAttributes:x}}function CM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
-renderInstances=o,this.renderMultiDraw=a}function EM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
+renderInstances=o,this.renderMultiDraw=a}function RM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
 get("EXT_texture_filter_anisotropic");s=i.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==wi&&n.convert(_)!==i.getParameter(
 i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let M=_===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==Hn&&_!==ui&&
 !M&&n.convert(_)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
@@ -2696,18 +2696,18 @@ i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDI
 ighp",d=l(c);d!==c&&(qe("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
-getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-g=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),g=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
+m=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),S=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:x,
-maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function CM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:x,
+maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function PM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,y=u.clipIntersection,
-m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let x=r?0:n,w=x*4,b=g.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
-w;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,m=null;if(y!==0){if(m=l.value,p!==!0||m===null){let g=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
-x),(m===null||m.length<g)&&(m=new Float32Array(g));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=
-m,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,m}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+g=u.clipShadows,m=i.get(u);if(!s||p===null||p.length===0||r&&!g)r?d(null):c();else{let x=r?0:n,w=x*4,b=m.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
+w;++C)b[C]=t[C];m.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,g=null;if(y!==0){if(g=l.value,p!==!0||g===null){let m=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
+x),(g===null||g.length<m)&&(g=new Float32Array(m));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(g,b),g[b+3]=o.constant}l.value=
+g,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,g}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Yo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
@@ -2717,12 +2717,12 @@ tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = nor
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Is(5,5,5),r=new zi({name:"CubemapFromEquirect",uniforms:rr(n.uniforms),vertexShader:n.vertexShader,
 fragmentShader:n.fragmentShader,side:kn,blending:tr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=On),new so(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},og=256,RM=3,PM=20,Rg=256,Pg=16,IM=3,LM=new V,NM=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},og=256,IM=3,LM=20,Rg=256,Pg=16,NM=3,DM=new V,UM=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new so(1,10,null),this._boxMesh=new hi(new Is(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
-_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=LM}=r,l=this._renderer;this.
+_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=DM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(NM));let m=new so(
-n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
+p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(UM));let g=new so(
+n,s,d);return g.position.copy(a),g.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
 this._cubemapMaterial===null&&(this._cubemapMaterial=cg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
 null&&(this._equirectMaterial=lg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
@@ -2730,20 +2730,20 @@ null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equir
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
 return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(og,tg(e))}_fromTexture(e,t){e.mapping===ir||e.mapping===ao?this._setSize(e.image.length===0?
 og:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
-n}_allocateTarget(){let e=this._cubeSize,t=ag(e,!1,!1),n=Math.log2(e)-RM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
+n}_allocateTarget(){let e=this._cubeSize,t=ag(e,!1,!1),n=Math.log2(e)-IM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
 (n!==null&&n.dispose(),this._sourceTarget=ag(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
 set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===ir||e.mapping===ao?(this._cubemapMaterial===
 null&&(this._cubemapMaterial=cg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
 _equirectMaterial=lg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
-(this._ggxMaterial=DM(),this._integrationMaterial=UM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
+(this._ggxMaterial=FM(),this._integrationMaterial=OM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
 texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Pg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
-o,n);if(o>n-IM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Rg*Math.pow(a,4)))+.5:0;s.roughness.
-value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=FM());let n=this._blurMaterial,s=n.
+o,n);if(o>n-NM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Rg*Math.pow(a,4)))+.5:0;s.roughness.
+value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=BM());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
 r,0,n)}};function ag(i,e,t){return new Ma(i,{minFilter:us,generateMipmaps:e,type:Si,colorSpace:ko,depthBuffer:t})}function Sa(i,e,t){return new zi({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:tr,depthTest:!1,depthWrite:!1})}function DM(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:tr,depthTest:!1,depthWrite:!1})}function FM(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
 value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Rg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
@@ -2759,7 +2759,7 @@ at phi = 2.0 * PI * Xi.y;\n     float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.
  * sin( phi ) ) * sinTheta;\n\n     // Match the source mip to the sample's solid angle. The terms\n     // independent of the sample are precomputed in lodBias.\n \
     float d = alpha2 * invQ;\n     float lod = max( log2( d ) + lodBias, 0.0 );\n\n     // Weight by NdotL for the split-sum approximation\n     prefilteredColor +=\
  textureLod( envMap, L, lod ).rgb * NdotL;\n     totalWeight += NdotL;\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );\n\n  }\n "))}
-function UM(){return Sa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Pg}},"\n\n  varying vec3 vWorldDirect\
+function OM(){return Sa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Pg}},"\n\n  varying vec3 vWorldDirect\
 ion;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\n  uniform float sourceLod;\n  uniform int sourceSize;\n\n  void main() {\n\n   vec3 N = normalize( vWo\
 rldDirection );\n\n   float alpha = roughness * roughness;\n   float alpha2 = alpha * alpha;\n\n   float texelSize = 2.0 / float( sourceSize );\n\n   vec3 prefilteredC\
 olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: only the one in N's hemisphere contributes.\n   for ( int face = 0; face < 3; face +\
@@ -2769,7 +2769,7 @@ olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: 
       // With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors\n      // in the GGX distribution and texel solid angle cancel when normalized.\n      flo\
 at d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;\n      float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );\n\n      prefilteredColor += tex\
 tureLod( envMap, texelDirection, sourceLod ).rgb * weight;\n      totalWeight += weight;\n\n     }\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWe\
-ight, 1.0 );\n\n  }\n ")}function FM(){return Sa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(PM,"\n  #defi\
+ight, 1.0 );\n\n  }\n ")}function BM(){return Sa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(LM,"\n  #defi\
 ne GOLDEN_ANGLE 2.39996322973\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float sigma;\n\n  #include <common>\n\n  void main() {\n\n   v\
 ec3 outputDirection = normalize( vWorldDirection );\n\n   vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );\n   vec3 tang\
 ent = normalize( cross( up, outputDirection ) );\n   vec3 bitangent = cross( outputDirection, tangent );\n\n   // Truncate the kernel at three standard deviations \
@@ -2786,49 +2786,49 @@ reLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;\n   co
 rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function cg(){
 return Sa("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
-function OM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
+function kM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
 Ql||f===ec)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new Ma(p.height);return y.fromEquirectangularTexture(
 i,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===Ql||f===ec,y=f===ir||f===ao;if(p||y){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
-null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
-{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
-t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=ir:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
+mapping,p=f===Ql||f===ec,y=f===ir||f===ao;if(p||y){let g=t.get(h),m=g!==void 0?g.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return n===
+null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h,g):n.fromCubemap(h,g),g.texture.pmremVersion=h.pmremVersion,t.set(h,g),g.texture;if(g!==void 0)return g.texture;
+{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h):n.fromCubemap(h),g.texture.pmremVersion=h.pmremVersion,
+t.set(h,g),h.addEventListener("dispose",d),g.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=ir:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
 p=6;for(let y=0;y<p;y++)h[y]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
-n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function BM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
+n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function zM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Oo("WebGLRenderer\
-: "+n+" extension not supported."),s}}}function kM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
-p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
+: "+n+" extension not supported."),s}}}function VM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
+p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
 get(p);y&&(e.remove(y),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){
 return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(p){let y=p.attributes;
-for(let m in y)e.update(y[m],i.ARRAY_BUFFER)}function u(p){let y=p.index,m=p.attributes.position,g=0;if(m===void 0)return;let x=y!==null?y.array.length:m.array.
-length/3-1,w=m.count>=65535?Xo:Wo,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;g=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
-2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{g=m.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
-I,C[M++]=R}}b.version=g;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let m=p.index;m!==null&&y.version<m.version&&u(p)}else u(p);
-return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function zM(i,e,t){let n;
+for(let g in y)e.update(y[g],i.ARRAY_BUFFER)}function u(p){let y=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let x=y!==null?y.array.length:g.array.
+length/3-1,w=g.count>=65535?Xo:Wo,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;m=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
+2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{m=g.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
+I,C[M++]=R}}b.version=m;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let g=p.index;g!==null&&y.version<g.version&&u(p)}else u(p);
+return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function GM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
-n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let m=0;m<f;m++)y+=h[m];
-t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function VM(i){let e={geometries:0,textures:0},t={frame:0,
+n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let g=0;g<f;g++)y+=h[g];
+t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function HM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
-t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function GM(i,e,t){let n=new WeakMap,s=new Wt;
+t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function WM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let R=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",R)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
-position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],x=a.morphAttributes.
+position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],x=a.morphAttributes.
 color||[],w=0;f===!0&&(w=1),p===!0&&(w=2),y===!0&&(w=3);let b=a.attributes.position.count*w,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
-let S=new Float32Array(b*C*4*u),_=new Go(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let P=0;P<u;P++){let I=m[P],F=g[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
+let S=new Float32Array(b*C*4*u),_=new Go(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let P=0;P<u;P++){let I=g[P],F=m[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
 let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),S[D+Y+0]=s.x,S[D+Y+1]=s.y,S[D+Y+2]=s.z,S[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),S[D+Y+4]=s.x,S[D+Y+5]=s.y,S[D+
 Y+6]=s.z,S[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),S[D+Y+8]=s.x,S[D+Y+9]=s.y,S[D+Y+10]=s.z,S[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
 b,C)},n.set(a,h),a.addEventListener("dispose",R)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let y=0;y<c.length;y++)f+=c[y];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
-function HM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
+function XM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
 (c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
 c.instanceColor,i.ARRAY_BUFFER),r.set(c,d))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==d&&(f.update(),r.set(f,d))}return h}function a(){r=new WeakMap}function l(c){
 let d=c.target;d.removeEventListener("dispose",l),n.releaseStatesOfObject(d),t.remove(d.instanceMatrix),d.instanceColor!==null&&t.remove(d.instanceColor)}return{
-update:o,dispose:a}}var WM={[Fu]:"LINEAR_TONE_MAPPING",[Ou]:"REINHARD_TONE_MAPPING",[Bu]:"CINEON_TONE_MAPPING",[ku]:"ACES_FILMIC_TONE_MAPPING",[Vu]:"AGX_TONE_MA\
-PPING",[Gu]:"NEUTRAL_TONE_MAPPING",[zu]:"CUSTOM_TONE_MAPPING"};function XM(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
+update:o,dispose:a}}var $M={[Fu]:"LINEAR_TONE_MAPPING",[Ou]:"REINHARD_TONE_MAPPING",[Bu]:"CINEON_TONE_MAPPING",[ku]:"ACES_FILMIC_TONE_MAPPING",[Vu]:"AGX_TONE_MA\
+PPING",[Gu]:"NEUTRAL_TONE_MAPPING",[zu]:"CUSTOM_TONE_MAPPING"};function qM(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
 storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,d=new ln;d.setAttribute("position",new yt([-1,3,0,-1,-1,0,
 3,-1,0],3)),d.setAttribute("uv",new yt([0,2,0,0,2,0],2));let u=new Ol({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
 4 modelViewMatrix;\n   uniform mat4 projectionMatrix;\n\n   attribute vec3 position;\n   attribute vec2 uv;\n\n   varying vec2 vUv;\n\n   void main() {\n    vUv = uv;\n  \
@@ -2839,104 +2839,104 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,m=!1,g,x=null,w=[],b=!1;this.setSize=
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,g=!1,m,x=null,w=[],b=!1;this.setSize=
 function(C,S){o.setSize(C,S),a!==null&&a.setSize(C,S),l!==null&&l.setSize(C,S);for(let _=0;_<w.length;_++){let M=w[_];M.setSize&&M.setSize(C,S)}},this.setEffects=
 function(C){w=C,b=w.length>0&&w[0].isRenderPass===!0;let S=o.width,_=o.height;w.length>0&&a===null&&(a=new ti(S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
 S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&w.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(S,_),
 r===!0&&(c.format=ds,c.type=sr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<w.length;R++){let P=w[R];
-P.setSize&&P.setSize(S,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,S){if(m||C.toneMapping===Gi&&w.length===0)
-return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
-Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=g,m=!0;let _=o,M=a;for(let R=0;R<w.length;R++){let P=w[R];P.enabled!==!1&&(P.
+P.setSize&&P.setSize(S,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,S){if(g||C.toneMapping===Gi&&w.length===0)
+return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=
+Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=m,g=!0;let _=o,M=a;for(let R=0;R<w.length;R++){let P=w[R];P.enabled!==!1&&(P.
 render(C,M,_,S),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
-p)===At&&(u.defines.SRGB_TRANSFER="");let R=WM[y];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
-null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
+p)===At&&(u.defines.SRGB_TRANSFER="");let R=$M[y];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
+null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
 Lg=new hs(1,1),Ng=new Zo(1),Dg=new Go,Ug=new Il,Fg=new Yo,hg=[],ug=[],dg=new Float32Array(16),fg=new Float32Array(9),pg=new Float32Array(4);function ho(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=hg[s];if(r===void 0&&(r=new Float32Array(s),hg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
-i[t]=e[t]}function Wc(i,e){let t=ug[e];t===void 0&&(t=new Int32Array(e),ug[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function $M(i,e){let t=this.
-cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function qM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
-e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function YM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
+i[t]=e[t]}function Wc(i,e){let t=ug[e];t===void 0&&(t=new Int32Array(e),ug[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function YM(i,e){let t=this.
+cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function ZM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
+e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function JM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
 (i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=
-e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function ZM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function JM(i,e){
+e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function KM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function jM(i,e){
 let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;pg.set(n),i.uniformMatrix2fv(this.
-addr,!1,pg),mn(t,n)}}function KM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
-return;fg.set(n),i.uniformMatrix3fv(this.addr,!1,fg),mn(t,n)}}function jM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
-this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;dg.set(n),i.uniformMatrix4fv(this.addr,!1,dg),mn(t,n)}}function QM(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
-addr,e),t[0]=e)}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
-i.uniform2iv(this.addr,e),mn(t,e)}}function tS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
-e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function iS(i,e){
-let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function sS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
-e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function rS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
-t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function oS(i,e){let t=this.
+addr,!1,pg),mn(t,n)}}function QM(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
+return;fg.set(n),i.uniformMatrix3fv(this.addr,!1,fg),mn(t,n)}}function eS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
+this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;dg.set(n),i.uniformMatrix4fv(this.addr,!1,dg),mn(t,n)}}function tS(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
+addr,e),t[0]=e)}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
+i.uniform2iv(this.addr,e),mn(t,e)}}function iS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
+e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function sS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function rS(i,e){
+let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function oS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
+e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function aS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
+t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function lS(i,e){let t=this.
 cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(
-t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function Xc(i){return i.version===0&&(i.compareFunction=ju,i.needsUpdate=!0),i}function aS(i,e,t){let n=this.cache,
-s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Xc(Lg):r=Ig,t.setTexture2D(e||r,s)}function lS(i,e,t){
-let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Ug,s)}function cS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
-n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Xc(Ng):r=Fg,t.setTextureCube(e||r,s)}function hS(i,e,t){let n=this.cache,s=t.
-allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Dg,s)}function uS(i){switch(i){case 5126:return $M;case 35664:return qM;case 35665:
-return YM;case 35666:return ZM;case 35674:return JM;case 35675:return KM;case 35676:return jM;case 5124:case 35670:return QM;case 35667:case 35671:return eS;case 35668:case 35672:
-return tS;case 35669:case 35673:return nS;case 5125:return iS;case 36294:return sS;case 36295:return rS;case 36296:return oS;case 35678:case 36198:case 36298:case 36306:case 35682:
-return aS;case 35679:case 36299:case 36307:return lS;case 35680:case 36300:case 36308:case 36293:return cS;case 36289:case 36303:case 36311:case 36292:return hS}}
-function dS(i,e){i.uniform1fv(this.addr,e)}function fS(i,e){let t=ho(e,this.size,2);i.uniform2fv(this.addr,t)}function pS(i,e){let t=ho(e,this.size,3);i.uniform3fv(
-this.addr,t)}function mS(i,e){let t=ho(e,this.size,4);i.uniform4fv(this.addr,t)}function gS(i,e){let t=ho(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function _S(i,e){
-let t=ho(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function xS(i,e){let t=ho(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function yS(i,e){i.uniform1iv(
-this.addr,e)}function vS(i,e){i.uniform2iv(this.addr,e)}function bS(i,e){i.uniform3iv(this.addr,e)}function MS(i,e){i.uniform4iv(this.addr,e)}function SS(i,e){i.
-uniform1uiv(this.addr,e)}function wS(i,e){i.uniform2uiv(this.addr,e)}function TS(i,e){i.uniform3uiv(this.addr,e)}function AS(i,e){i.uniform4uiv(this.addr,e)}function ES(i,e,t){
+t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function Xc(i){return i.version===0&&(i.compareFunction=ju,i.needsUpdate=!0),i}function cS(i,e,t){let n=this.cache,
+s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Xc(Lg):r=Ig,t.setTexture2D(e||r,s)}function hS(i,e,t){
+let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Ug,s)}function uS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
+n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Xc(Ng):r=Fg,t.setTextureCube(e||r,s)}function dS(i,e,t){let n=this.cache,s=t.
+allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Dg,s)}function fS(i){switch(i){case 5126:return YM;case 35664:return ZM;case 35665:
+return JM;case 35666:return KM;case 35674:return jM;case 35675:return QM;case 35676:return eS;case 5124:case 35670:return tS;case 35667:case 35671:return nS;case 35668:case 35672:
+return iS;case 35669:case 35673:return sS;case 5125:return rS;case 36294:return oS;case 36295:return aS;case 36296:return lS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return cS;case 35679:case 36299:case 36307:return hS;case 35680:case 36300:case 36308:case 36293:return uS;case 36289:case 36303:case 36311:case 36292:return dS}}
+function pS(i,e){i.uniform1fv(this.addr,e)}function mS(i,e){let t=ho(e,this.size,2);i.uniform2fv(this.addr,t)}function gS(i,e){let t=ho(e,this.size,3);i.uniform3fv(
+this.addr,t)}function _S(i,e){let t=ho(e,this.size,4);i.uniform4fv(this.addr,t)}function xS(i,e){let t=ho(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function yS(i,e){
+let t=ho(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function vS(i,e){let t=ho(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function bS(i,e){i.uniform1iv(
+this.addr,e)}function MS(i,e){i.uniform2iv(this.addr,e)}function SS(i,e){i.uniform3iv(this.addr,e)}function wS(i,e){i.uniform4iv(this.addr,e)}function TS(i,e){i.
+uniform1uiv(this.addr,e)}function AS(i,e){i.uniform2uiv(this.addr,e)}function ES(i,e){i.uniform3uiv(this.addr,e)}function CS(i,e){i.uniform4uiv(this.addr,e)}function RS(i,e,t){
 let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=Xc(Lg):o=Ig;for(let a=0;a!==s;++a)t.setTexture2D(
-e[a]||o,r[a])}function CS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Ug,
-r[o])}function RS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Xc(Ng):o=Fg;
-for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function PS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
-s;++o)t.setTexture2DArray(e[o]||Dg,r[o])}function IS(i){switch(i){case 5126:return dS;case 35664:return fS;case 35665:return pS;case 35666:return mS;case 35674:
-return gS;case 35675:return _S;case 35676:return xS;case 5124:case 35670:return yS;case 35667:case 35671:return vS;case 35668:case 35672:return bS;case 35669:case 35673:
-return MS;case 5125:return SS;case 36294:return wS;case 36295:return TS;case 36296:return AS;case 35678:case 36198:case 36298:case 36306:case 35682:return ES;case 35679:case 36299:case 36307:
-return CS;case 35680:case 36300:case 36308:case 36293:return RS;case 36289:case 36303:case 36311:case 36292:return PS}}var ld=class{constructor(e,t,n){this.id=e,
-this.addr=n,this.cache=[],this.type=t.type,this.setValue=uS(t.type)}},cd=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
-t.size,this.setValue=IS(t.type)}},hd=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
-a.setValue(e,t[a.id],n)}}},od=/(\w+)(\])?(\[|\.)?/g;function mg(i,e){i.seq.push(e),i.map[e.id]=e}function LS(i,e,t){let n=i.name,s=n.length;for(od.lastIndex=0;;){
+e[a]||o,r[a])}function PS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Ug,
+r[o])}function IS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Xc(Ng):o=Fg;
+for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function LS(i,e,t){let n=this.cache,s=e.length,r=Wc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
+s;++o)t.setTexture2DArray(e[o]||Dg,r[o])}function NS(i){switch(i){case 5126:return pS;case 35664:return mS;case 35665:return gS;case 35666:return _S;case 35674:
+return xS;case 35675:return yS;case 35676:return vS;case 5124:case 35670:return bS;case 35667:case 35671:return MS;case 35668:case 35672:return SS;case 35669:case 35673:
+return wS;case 5125:return TS;case 36294:return AS;case 36295:return ES;case 36296:return CS;case 35678:case 36198:case 36298:case 36306:case 35682:return RS;case 35679:case 36299:case 36307:
+return PS;case 35680:case 36300:case 36308:case 36293:return IS;case 36289:case 36303:case 36311:case 36292:return LS}}var ld=class{constructor(e,t,n){this.id=e,
+this.addr=n,this.cache=[],this.type=t.type,this.setValue=fS(t.type)}},cd=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
+t.size,this.setValue=NS(t.type)}},hd=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
+a.setValue(e,t[a.id],n)}}},od=/(\w+)(\])?(\[|\.)?/g;function mg(i,e){i.seq.push(e),i.map[e.id]=e}function DS(i,e,t){let n=i.name,s=n.length;for(od.lastIndex=0;;){
 let r=od.exec(n),o=od.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){mg(t,c===void 0?new ld(a,i,e):new cd(a,i,e));break}else{let u=t.
 map[a];u===void 0&&(u=new hd(a),mg(t,u)),t=u}}}var co=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
-n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);LS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
+n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);DS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
 setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
 !1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function gg(i,e,t){let n=i.
-createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var NS=37297,DS=0;function US(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
-for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var _g=new Qe;function FS(i){_t._getMatrix(_g,
+createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var US=37297,FS=0;function OS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
+for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var _g=new Qe;function BS(i){_t._getMatrix(_g,
 _t.workingColorSpace,i);let e="mat3( ".concat(_g.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case zo:return[e,"LinearTransferOETF"];case At:return[
 e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function xg(i,e,t){let n=i.getShaderParameter(e,i.
 COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+"\n\n"+
-r+"\n\n"+US(i.getShaderSource(e),a)}else return r}function OS(i,e){let t=FS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
-t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var BS={[Fu]:"Linear",[Ou]:"Reinhard",[Bu]:"Cineon",[ku]:"ACESFilmic",[Vu]:"AgX",[Gu]:"Neutral",[zu]:"Custom"};
-function kS(i,e){let t=BS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
-"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Vc=new V;function zS(){_t.getLuminanceCoefficients(Vc);let i=Vc.x.toFixed(4),e=Vc.y.toFixed(
+r+"\n\n"+OS(i.getShaderSource(e),a)}else return r}function kS(i,e){let t=BS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
+t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var zS={[Fu]:"Linear",[Ou]:"Reinhard",[Bu]:"Cineon",[ku]:"ACESFilmic",[Vu]:"AgX",[Gu]:"Neutral",[zu]:"Custom"};
+function VS(i,e){let t=zS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
+"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Vc=new V;function GS(){_t.getLuminanceCoefficients(Vc);let i=Vc.x.toFixed(4),e=Vc.y.toFixed(
 4),t=Vc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
-weights, rgb );","}"].join("\n")}function VS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
-extension GL_ANGLE_multi_draw : require":""].filter(ba).join("\n")}function GS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
-join("\n")}function HS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
+weights, rgb );","}"].join("\n")}function HS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
+extension GL_ANGLE_multi_draw : require":""].filter(ba).join("\n")}function WS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
+join("\n")}function XS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
 (a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function ba(i){return i!==
 ""}function yg(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
 e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,
 e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
 e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function vg(i,e){return i.
-replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var WS=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function ud(i){return i.replace(WS,XS)}function XS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ud(
-t)}var $S=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function bg(i){
-return i.replace($S,qS)}function qS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
+replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var $S=/^[ \t]*#include +<([\w\d./]+)>/gm;
+function ud(i){return i.replace($S,qS)}function qS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ud(
+t)}var YS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function bg(i){
+return i.replace(YS,ZS)}function ZS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
 r);return s}function Mg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
 ;\n precision ").concat(i.precision," samplerCube;\n precision ").concat(i.precision," sampler3D;\n precision ").concat(i.precision," sampler2DArray;\n precision\
  ").concat(i.precision," sampler2DShadow;\n precision ").concat(i.precision," samplerCubeShadow;\n precision ").concat(i.precision," sampler2DArrayShadow;\n prec\
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var YS={[ua]:"SHADOWMAP_TYPE_PCF",[ro]:"SHADOWMAP_TYPE_VSM"};function ZS(i){
-return YS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var JS={[ao]:"ENVMAP_MODE_REFRACTION"};function KS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":JS[i.envMapMode]||
-"ENVMAP_MODE_REFLECTION"}var jS={[jl]:"ENVMAP_BLENDING_MULTIPLY",[km]:"ENVMAP_BLENDING_MIX",[zm]:"ENVMAP_BLENDING_ADD"};function QS(i){return i.envMap===!1?"ENV\
-MAP_BLENDING_NONE":jS[i.combine]||"ENVMAP_BLENDING_NONE"}function ew(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=ZS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=KS(t),u=QS(t),h=VS(t),f=GS(r),p=s.createProgram(),y,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
-(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),m.length>0&&(m+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var JS={[ua]:"SHADOWMAP_TYPE_PCF",[ro]:"SHADOWMAP_TYPE_VSM"};function KS(i){
+return JS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var jS={[ao]:"ENVMAP_MODE_REFRACTION"};function QS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":jS[i.envMapMode]||
+"ENVMAP_MODE_REFLECTION"}var ew={[jl]:"ENVMAP_BLENDING_MULTIPLY",[km]:"ENVMAP_BLENDING_MIX",[zm]:"ENVMAP_BLENDING_ADD"};function tw(i){return i.envMap===!1?"ENV\
+MAP_BLENDING_NONE":ew[i.combine]||"ENVMAP_BLENDING_NONE"}function nw(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=KS(t),c=t.envMapPMREM===
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),y,g,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),g=["#define SHADER_TYPE "+t.shaderType,
+"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),g.length>0&&(g+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2970,7 +2970,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),m=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),g=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2991,28 +2991,28 @@ DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#defin
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Gi?"#define TONE_MAPPING":"",t.toneMapping!==Gi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
-Gi?kS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,OS("linearToOutputTexel",t.outputColorSpace),
-zS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(ba).join("\n")),o=ud(o),o=yg(o,t),o=vg(o,t),a=ud(a),a=yg(a,t),a=vg(a,t),o=bg(o),a=
-bg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,m=["#d\
+Gi?VS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,kS("linearToOutputTexel",t.outputColorSpace),
+GS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(ba).join("\n")),o=ud(o),o=yg(o,t),o=vg(o,t),a=ud(a),a=yg(a,t),a=vg(a,t),o=bg(o),a=
+bg(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,g=["#d\
 efine varying in",t.glslVersion===Qu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Qu?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let x=g+y+o,w=g+m+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,w);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+g);let x=m+y+o,w=m+g+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,w);s.attachShader(
 p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
 osition"),s.linkProgram(p);function S(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
 D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
 s,p,b,C);else{let K=xg(s,b,"vertex"),Q=xg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+P.name+"\nMaterial Type: "+P.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new co(
-s,p),M=HS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let R=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,NS)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=DS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
-C,this}var tw=0,dd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
+"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:g}})}s.deleteShader(b),s.deleteShader(C),_=new co(
+s,p),M=XS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let R=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,US)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=FS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
+C,this}var iw=0,dd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
 n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new fd(e),t.set(e,n)),n}},fd=class{constructor(e){
-this.id=tw++,this.code=e,this.usedTimes=0}};function nw(i){return i===Os||i===_a||i===xa}function iw(i,e,t,n,s,r){let o=new jr,a=new dd,l=new Set,c=[],d=new Map,
+this.id=iw++,this.code=e,this.usedTimes=0}};function sw(i){return i===Os||i===_a||i===xa}function rw(i,e,t,n,s,r){let o=new jr,a=new dd,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(_){return l.add(_),_===0?"uv":"uv".concat(
@@ -3033,7 +3033,7 @@ isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precisi
 I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
 workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&W.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
 Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&_.normalMapType===Hm,normalMapTangentSpace:Pt&&
-_.normalMapType===kc,packedNormalMap:Pt&&_.normalMapType===kc&&nw(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
+_.normalMapType===kc,packedNormalMap:Pt&&_.normalMapType===kc&&sw(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
 clearcoatMap:L,clearcoatNormalMap:T,clearcoatRoughnessMap:$,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:$e,retroreflection:it,iridescence:Se,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
 thicknessMap:ne,gradientMap:we,opaque:_.transparent===!1&&_.blending===oo&&_.alphaToCoverage===!1,alphaMap:ge,alphaTest:be,alphaHash:Ge,combine:_.combine,mapUv:Ve&&
@@ -3059,7 +3059,7 @@ depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0Attri
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
 Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let R in _.defines)
-M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(m(M,_),g(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function m(_,M){
+M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(g(M,_),m(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function g(_,M){
 _.push(M.precision),_.push(M.outputColorSpace),_.push(M.envMapMode),_.push(M.envMapPMREM),_.push(M.envMapMaxLod),_.push(M.envMapSize),_.push(M.mapUv),_.push(M.alphaMapUv),
 _.push(M.lightMapUv),_.push(M.aoMapUv),_.push(M.bumpMapUv),_.push(M.normalMapUv),_.push(M.displacementMapUv),_.push(M.emissiveMapUv),_.push(M.metalnessMapUv),_.
 push(M.roughnessMapUv),_.push(M.anisotropyMapUv),_.push(M.clearcoatMapUv),_.push(M.clearcoatNormalMapUv),_.push(M.clearcoatRoughnessMapUv),_.push(M.diffuseRoughnessMapUv),
@@ -3068,7 +3068,7 @@ _.push(M.specularIntensityMapUv),_.push(M.transmissionMapUv),_.push(M.thicknessM
 _.push(M.numSunLights),_.push(M.numDirLights),_.push(M.numPointLights),_.push(M.numSpotLights),_.push(M.numSpotLightMaps),_.push(M.numHemiLights),_.push(M.numRectAreaLights),
 _.push(M.numSunLightShadows),_.push(M.numDirLightShadows),_.push(M.numPointLightShadows),_.push(M.numSpotLightShadows),_.push(M.numSpotLightShadowsWithMaps),_.push(
 M.numLightProbes),_.push(M.numLightProbeGrids),_.push(M.shadowMapType),_.push(M.toneMapping),_.push(M.numClippingPlanes),_.push(M.numClipIntersection),_.push(M.
-depthPacking)}function g(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
+depthPacking)}function m(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
 o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
 M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
 15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
@@ -3078,33 +3078,33 @@ M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmi
 o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
 enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
 0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function x(_){let M=h[_.type],R;if(M){let P=Wi[M];R=ig.clone(P.uniforms)}else R=_.uniforms;return R}
-function w(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new ew(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
+function w(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new nw(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
 c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function S(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:x,
-acquireProgram:w,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:S}}function sw(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+acquireProgram:w,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:S}}function ow(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
-dispose:r}}function rw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
+dispose:r}}function aw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Sg(i,e){
 return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function wg(){
-let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,m,g){
-let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:m,group:g},i[e]=x):(x.id=h.
-id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=m,x.group=g),e++,x}function l(h,f,p,y,m,g,x){x.reversedDepth===
-!0&&(m=-m);let w=a(h,f,p,y,m,g);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,m,g){let x=a(h,f,p,y,m,g);p.transmission>0?
-n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||rw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
+let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,g,m){
+let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:g,group:m},i[e]=x):(x.id=h.
+id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=g,x.group=m),e++,x}function l(h,f,p,y,g,m,x){x.reversedDepth===
+!0&&(g=-g);let w=a(h,f,p,y,g,m);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,g,m){let x=a(h,f,p,y,g,m);p.transmission>0?
+n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||aw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
-transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function ow(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new wg,i.set(n,[o])):
-s>=r.length?(o=new wg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function aw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
+transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function lw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new wg,i.set(n,[o])):
+s>=r.length?(o=new wg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function cw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
 id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new rt};break;case"SpotLight":t={position:new V,direction:new V,color:new rt,
 distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
-skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function lw(){
+skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function hw(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
-id]=t,t}}}var cw=0;function hw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function uw(i){let e=new aw,t=lw(),n={version:0,hash:{sunLength:-1,
+id]=t,t}}}var uw=0;function dw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function fw(i){let e=new cw,t=hw(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,m=0,g=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,R=0,P=0;c.sort(hw);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,g=0,m=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,R=0,P=0;c.sort(dw);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Os?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);P++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
@@ -3112,49 +3112,49 @@ se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalB
 Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
 ue]=Q._cascadeData[ue];y+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.directionalShadow[m]=se,n.directionalShadowMap[m]=ce,n.directionalShadowMatrix[m]=D.shadow.matrix,C++}n.directional[m]=K,m++}else if(D.isSpotLight){let K=e.get(
+n.directionalShadow[g]=se,n.directionalShadowMap[g]=ce,n.directionalShadowMatrix[g]=D.shadow.matrix,C++}n.directional[g]=K,g++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
 D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&R++),n.spotLightMatrix[x]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.spotShadow[x]=se,n.spotShadowMap[x]=ce,_++}x++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
 set(0,D.height*.5,0),n.rectArea[w]=K,w++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
-shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
-matrix,S++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[m]=se,n.pointShadowMap[m]=ce,n.pointShadowMatrix[m]=D.shadow.
+matrix,S++}n.point[m]=K,m++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
 Y),n.hemi[b]=K,b++}}w>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==m||I.pointLength!==g||I.spotLength!==x||I.rectAreaLength!==
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==g||I.pointLength!==m||I.spotLength!==x||I.rectAreaLength!==
 w||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==P)&&(n.
-sun.length=f,n.directional.length=m,n.spot.length=x,n.rectArea.length=w,n.point.length=g,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
+sun.length=f,n.directional.length=g,n.spot.length=x,n.rectArea.length=w,n.point.length=m,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
 length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=S,n.pointShadowMap.
 length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
-R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=cw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,m=0,g=d.matrixWorldInverse;for(let x=0,
-w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
+R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=g,I.pointLength=m,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
+C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,g=0,m=d.matrixWorldInverse;for(let x=0,
+w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(m),u++}else if(b.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
-b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
+transformDirection(m),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(
+b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
+C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(b.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.
 set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
-C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new uw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),f++}else if(b.isHemisphereLight){let C=n.hemi[g];C.direction.setFromMatrixPosition(b.matrixWorld),
+C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
-return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function dw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
-(a=new Tg(i),e.set(s,[a])):r>=o.length?(a=new Tg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var fw="void main() {\n gl_Position = \
-vec4( position, 1.0 );\n}",pw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
+return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function pw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
+(a=new Tg(i),e.set(s,[a])):r>=o.length?(a=new Tg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var mw="void main() {\n gl_Position = \
+vec4( position, 1.0 );\n}",gw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
 PLES );\n float mean = 0.0;\n float squared_mean = 0.0;\n float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );\n float uvStart = samples <= 1.0 ? 0.0 : \
 - 1.0;\n for ( float i = 0.0; i < samples; i ++ ) {\n  float uvOffset = uvStart + i * uvStride;\n  #ifdef HORIZONTAL_PASS\n   vec2 distribution = texture2D( shadow_\
 pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n   mean += distribution.x;\n   squared_mean += distribution.y * distribution.y + di\
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
-mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",mw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-gw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,va=new V,ad=new V;function _w(i,e,t){let n=new Rs,s=new st,r=new st,
+mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",_w=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
+xw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,va=new V,ad=new V;function yw(i,e,t){let n=new Rs,s=new st,r=new st,
 o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Fs]:kn,[kn]:Fs,[Vi]:Vi},h=new zi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new st},radius:{value:4}},vertexShader:fw,fragmentShader:pw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let g=this.type;this.render=function(S,_,M){
-if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||S.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+value:new st},radius:{value:4}},vertexShader:mw,fragmentShader:gw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let m=this.type;this.render=function(S,_,M){
+if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||S.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
 hadowMap instead."),this.type=ua);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(tr),F.buffers.depth.getReversed()===
-!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
+!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=m!==this.type;z&&_.traverse(function(D){
 D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=S.length;D<G;D++){let Y=S[D],W=Y.shadow;
 if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
 s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
@@ -3168,11 +3168,11 @@ K?Ku:Ju,W.map.depthTexture.minFilter=On,W.map.depthTexture.magFilter=On):(W.map.
 magFilter=Mn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
 isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,M);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:M.layers;
 for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
-va.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(va),ad.copy(ee.position),ad.add(mw[de]),ee.up.copy(gw[de]),ee.lookAt(ad),ee.updateMatrixWorld(),me.makeTranslation(
+va.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(va),ad.copy(ee.position),ad.add(_w[de]),ee.up.copy(xw[de]),ee.lookAt(ad),ee.updateMatrixWorld(),me.makeTranslation(
 -va.x,-va.y,-va.z),Ag.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Ag,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}g=this.type,
-m.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}m=this.type,
+g.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
 VSM_SAMPLES=S.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),S.mapPass===null?S.mapPass=new ti(s.x,s.y,{format:Os,type:Si}):(S.mapPass.width!==S.map.width||S.mapPass.
 height!==S.map.height)&&S.mapPass.setSize(S.map.width,S.map.height),h.uniforms.shadow_pass.value=S.map.depthTexture,h.uniforms.resolution.value.set(S.map.width,
 S.map.height),h.uniforms.radius.value=S.radius,i.setRenderTarget(S.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=S.mapPass.
@@ -3189,7 +3189,7 @@ n))){S.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,S.matrixWorld);let 
 length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=w(S,Q,R,I);S.onBeforeShadow(i,S,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,S,K),S.onAfterShadow(
 i,S,_,M,D,se,K)}}}else if(G.visible){let Y=w(S,G,R,I);S.onBeforeShadow(i,S,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,S,null),S.onAfterShadow(i,S,_,M,D,Y,null)}}
 let z=S.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,R,P,I)}function C(S){S.target.removeEventListener("dispose",C);for(let M in c){let R=c[M],P=S.target.
-uuid;P in R&&(R[P].dispose(),delete R[P])}}}function xw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
+uuid;P in R&&(R[P].dispose(),delete R[P])}}}function vw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,be,Ge,Ze,le){le===!0&&(ge*=Ze,be*=Ze,Ge*=Ze),re.set(ge,be,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,be,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){
 if(re!==be){let Ge=e.get("EXT_clip_control");be?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
@@ -3201,7 +3201,7 @@ i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}functio
 setTest:function(Oe){O||(Oe?Me(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(be!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),be=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,g=!1,m=null,x=null,w=null,b=null,C=null,S=null,_=null,
 M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
@@ -3216,14 +3216,14 @@ length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else 
 O?(i.useProgram(O),y=O,!0):!1}let lt={[nr]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
 [Cm]:i.SRC_COLOR,[Du]:i.SRC_ALPHA,[Dm]:i.SRC_ALPHA_SATURATE,[Lm]:i.DST_COLOR,[Pm]:i.DST_ALPHA,[Rm]:i.ONE_MINUS_SRC_COLOR,[Uu]:i.ONE_MINUS_SRC_ALPHA,[Nm]:i.ONE_MINUS_DST_COLOR,
 [Im]:i.ONE_MINUS_DST_ALPHA,[Um]:i.CONSTANT_COLOR,[Fm]:i.ONE_MINUS_CONSTANT_COLOR,[Om]:i.CONSTANT_ALPHA,[Bm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
-if(O===tr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==bm){if(O!==g||Oe!==P){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
+if(O===tr){g===!0&&(He(i.BLEND),g=!1);return}if(g===!1&&(Me(i.BLEND),g=!0),O!==bm){if(O!==m||Oe!==P){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
 Oe)switch(O){case oo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFunc(i.ONE,i.ONE);break;case Lu:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Nu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case oo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Lu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Nu:Ke("WebGLState: Mul\
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,b=null,S=null,_=null,M.set(0,0,0),
-R=0,g=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
-et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),g=O,P=!1}function Ut(O,re){O.side===
+R=0,m=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
+et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),m=O,P=!1}function Ut(O,re){O.side===
 Vi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(tr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
@@ -3251,17 +3251,17 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+p=[],y=null,g=!1,m=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
-texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function yw(i,e,t,n,s,r,o){
+texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function bw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function m(L,T){return g?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
 $)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
+void 0&&(h=m(_e,ye));let te=T?m(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in L&&qe("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
 )."),L;return L}function w(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
 i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function S(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
@@ -3441,7 +3441,7 @@ LTextures: Unsupported texture color space:",$)),T}function Xe(L){return typeof 
 c.height=L.naturalHeight||L.height):typeof VideoFrame<"u"&&L instanceof VideoFrame?(c.width=L.displayWidth,c.height=L.displayHeight):(c.width=L.width,c.height=L.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
 setTexture3D=Ee,this.setTextureCube=Me,this.rebindTextures=$t,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=$e,this.
-setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function vw(i,e){function t(n,s=fs){let r,o=_t.getTransfer(s);
+setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function Mw(i,e){function t(n,s=fs){let r,o=_t.getTransfer(s);
 if(n===Hn)return i.UNSIGNED_BYTE;if(n===ic)return i.UNSIGNED_SHORT_4_4_4_4;if(n===sc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===$u)return i.UNSIGNED_INT_5_9_9_9_REV;
 if(n===qu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Wu)return i.BYTE;if(n===Xu)return i.SHORT;if(n===lo)return i.UNSIGNED_SHORT;if(n===nc)return i.INT;if(n===
 Mi)return i.UNSIGNED_INT;if(n===ui)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Yu)return i.ALPHA;if(n===Zu)return i.RGB;if(n===wi)return i.RGBA;if(n===rs)
@@ -3467,21 +3467,21 @@ Dc||n===Uc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Nc)return
 if(n===Dc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Uc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Fc||n===Oc||n===xa||n===
 Bc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Fc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===xa)
 return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Bc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===sr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
-i[n]:null}return{convert:t}}var bw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",Mw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
+i[n]:null}return{convert:t}}var Sw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",ww="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
 \n}",pd=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Jo(e.texture);(e.depthNear!==
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
-let t=e.cameras[0].viewport,n=new zi({vertexShader:bw,fragmentShader:Mw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
+let t=e.cameras[0].viewport,n=new zi({vertexShader:Sw,fragmentShader:ww,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new hi(new Qo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},md=class extends Bi{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",m=new pd,g={},x=t.getContextAttributes(),
+super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",g=new pd,m={},x=t.getContextAttributes(),
 w=null,b=null,C=[],S=[],_=new st,M=null,R=null,P=new Fn;P.viewport=new Wt;let I=new Fn;I.viewport=new Wt;let F=[P,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=
 me),me.getHandSpace()};function Y(ee){let me=S.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,m.reset();for(let ee in g)delete g[ee];
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,g.reset();for(let ee in m)delete m[ee];
 if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),R!==null){let ee=R.camera;
 ee.fov=R.fov,ee.zoom=R.zoom,ee.updateProjectionMatrix(),R=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&qe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&qe("WebXRManager: C\
@@ -3499,73 +3499,73 @@ antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=n
 setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:x.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
 ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
-{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};
 function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=S.indexOf(xe);Ee>=0&&(S[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
 length;me++){let xe=ee.added[me],Ee=S.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=S.length){S.push(xe),Ee=He;break}else if(S[He]===null){S[He]=
 xe,Ee=He;break}if(Ee===-1)break}let Me=C[Ee];Me&&Me.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
-ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;m.texture!==null&&(m.depthNear>
-0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;g.texture!==null&&(g.depthNear>
+0&&(me=g.depthNear),g.depthFar>0&&(xe=g.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
 depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,P.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
 z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(P.projectionMatrix),z.projectionMatrixInverse.copy(P.projectionMatrixInverse),R===null&&
 ee.isPerspectiveCamera&&(R={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
 me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Cl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
-fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=
-function(){return m.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
+fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=
+function(){return g.getMesh(z)},this.getCameraTexture=function(ee){return m[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
 views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
 xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
 colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new Fn,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
 Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
-xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
-length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Jo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
+xe[0]);Ve&&Ve.isValid&&Ve.texture&&g.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
+length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=m[ut];lt||(lt=new Jo,m[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
 let Ee=S[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Eg;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Sw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function ww(i,e){function t(m,g){
-m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,nd(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
-value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,x,w,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
-(r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
-value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(m,g),h(m,g),g.isMeshPhysicalMaterial&&f(m,g,b)):g.isMeshMatcapMaterial?(r(m,g),p(m,g)):g.isMeshDepthMaterial?
-r(m,g):g.isMeshDistanceMaterial?(r(m,g),y(m,g)):g.isMeshNormalMaterial?r(m,g):g.isLineBasicMaterial?(o(m,g),g.isLineDashedMaterial&&a(m,g)):g.isPointsMaterial?l(
-m,g,x,w):g.isSpriteMaterial?c(m,g):g.isShadowMaterial?(m.color.value.copy(g.color),m.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(m,g){
-m.opacity.value=g.opacity,g.color&&m.diffuse.value.copy(g.color),g.emissive&&m.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(m.map.
-value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.bumpMap&&(m.bumpMap.value=g.bumpMap,t(g.bumpMap,
-m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===kn&&(m.bumpScale.value*=-1)),g.normalMap&&(m.normalMap.value=g.normalMap,t(g.normalMap,m.normalMapTransform),
-m.normalScale.value.copy(g.normalScale),g.side===kn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
-m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
-t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
-value=g.alphaTest);let x=e.get(g),w=x.envMap,b=x.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(Sw.makeRotationFromEuler(b)).transpose(),
-w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Og),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
-g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
-g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
-value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,x,w){
-m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,m.size.value=g.size*x,m.scale.value=w*.5,g.map&&(m.map.value=g.map,t(g.map,m.uvTransform)),g.alphaMap&&(m.
-alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function c(m,g){m.diffuse.value.copy(g.color),m.opacity.
-value=g.opacity,m.rotation.value=g.rotation,g.map&&(m.map.value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),
-g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function d(m,g){m.specular.value.copy(g.specular),m.shininess.value=Math.max(g.shininess,1e-4)}function u(m,g){g.
-gradientMap&&(m.gradientMap.value=g.gradientMap)}function h(m,g){m.metalness.value=g.metalness,g.metalnessMap&&(m.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
-m.metalnessMapTransform)),m.roughness.value=g.roughness,g.roughnessMap&&(m.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,m.roughnessMapTransform)),g.envMap&&
-(m.envMapIntensity.value=g.envMapIntensity)}function f(m,g,x){m.ior.value=g.ior,g.diffuseRoughness>0&&(m.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
-(m.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),g.sheen>0&&(m.sheenColor.value.copy(g.sheenColor).multiplyScalar(
-g.sheen),m.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(m.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,m.sheenColorMapTransform)),g.sheenRoughnessMap&&
-(m.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,m.sheenRoughnessMapTransform))),g.clearcoat>0&&(m.clearcoat.value=g.clearcoat,m.clearcoatRoughness.
-value=g.clearcoatRoughness,g.clearcoatMap&&(m.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,m.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.
-value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(m.clearcoatNormalMap.value=g.clearcoatNormalMap,
-t(g.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===kn&&m.clearcoatNormalScale.value.negate())),
-g.dispersion>0&&(m.dispersion.value=g.dispersion),g.retroreflectivity>0&&(m.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(m.iridescence.value=g.
-iridescence,m.iridescenceIOR.value=g.iridescenceIOR,m.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
-g.iridescenceMap&&(m.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,m.iridescenceMapTransform)),g.iridescenceThicknessMap&&(m.iridescenceThicknessMap.
-value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),g.transmission>0&&(m.transmission.value=g.transmission,m.transmissionSamplerMap.
-value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),g.transmissionMap&&(m.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,m.transmissionMapTransform)),
-m.thickness.value=g.thickness,g.thicknessMap&&(m.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=g.attenuationDistance,
-m.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(m.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
-g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=g.specularIntensity,
-m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
-g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
-(m.matcap.value=g.matcap)}function y(m,g){let x=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.
-near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Tw(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
-n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",m));let C=w.program;n.updateUBOMapping(
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(g,m){
+g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function n(g,m){m.color.getRGB(g.fogColor.value,nd(i)),m.isFog?(g.fogNear.value=m.near,g.fogFar.
+value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,x,w,b){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?
+(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),u(g,m)):m.isMeshPhongMaterial?(r(g,m),d(g,m),m.envMap&&(g.envMapIntensity.
+value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),h(g,m),m.isMeshPhysicalMaterial&&f(g,m,b)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?
+r(g,m):m.isMeshDistanceMaterial?(r(g,m),y(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(
+g,m,x,w):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){
+g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.
+value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,
+g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===kn&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),
+g.normalScale.value.copy(m.normalScale),m.side===kn&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,
+g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,
+t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.
+value=m.alphaTest);let x=e.get(m),w=x.envMap,b=x.envMapRotation;w&&(g.envMap.value=w,g.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
+w.isCubeTexture&&w.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Og),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=
+m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=
+m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.
+value=m.map,t(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,x,w){
+g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*x,g.scale.value=w*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.
+alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.
+value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),
+m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function d(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function u(g,m){m.
+gradientMap&&(g.gradientMap.value=m.gradientMap)}function h(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,
+g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&
+(g.envMapIntensity.value=m.envMapIntensity)}function f(g,m,x){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&
+(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(
+m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&
+(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.
+value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.
+value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,
+t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===kn&&g.clearcoatNormalScale.value.negate())),
+m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.
+iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,
+m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.
+value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.
+value=x.texture,g.transmissionSamplerSize.value.set(x.width,x.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),
+g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,
+g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(
+m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,
+g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),
+m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&
+(g.matcap.value=m.matcap)}function y(g,m){let x=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(x.matrixWorld),g.nearDistance.value=x.shadow.camera.
+near,g.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
+n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",g));let C=w.program;n.updateUBOMapping(
 x,C);let S=e.render.frame;r[x.id]!==S&&(c(x),r[x.id]=S)}function l(x){let w=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
 i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(x){let w=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let S=0,_=b.
 length;S<_;S++){let M=b[S];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],S,R,C);else d(M,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,w,b,C){
@@ -3583,8 +3583,8 @@ F.__offset=G}}let S=b%C;return S>0&&(b+=C-S),x.__size=b,x.__cache={},this}functi
 lean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=
 16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
 orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),w===!0&&(b.boundary=16,b.storage=
-Math.ceil(b.storage/16)*16),b}function m(x){let w=x.target;w.removeEventListener("dispose",m),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
-for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}var Aw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+Math.ceil(b.storage/16)*16),b}function g(x){let w=x.target;w.removeEventListener("dispose",g),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function m(){
+for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3602,11 +3602,11 @@ for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}
 5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
-1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Hi=null;function Ew(){return Hi===null&&(Hi=new $o(Aw,16,16,Os,Si),Hi.name="DFG_LUT",Hi.minFilter=
+1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Hi=null;function Rw(){return Hi===null&&(Hi=new $o(Cw,16,16,Os,Si),Hi.name="DFG_LUT",Hi.minFilter=
 On,Hi.magFilter=On,Hi.wrapS=Oi,Hi.wrapT=Oi,Hi.generateMipmaps=!1,Hi.needsUpdate=!0),Hi}var Hc=class{constructor(e={}){let{canvas:t=Km(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,m=new Set([lc,ac,oc]),g=new Set([Hn,Mi,lo,sr,ic,sc]),
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,g=new Set([lc,ac,oc]),m=new Set([Hn,Mi,lo,sr,ic,sc]),
 x=new Uint32Array(4),w=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,S=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Gi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,I=!1,F=null,z=null,D=null,
@@ -3618,11 +3618,11 @@ setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.ad
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
-E}function Ze(){$e=new BM(B),$e.init(),ge=new vw(B,$e),it=new EM(B,$e,e,ge),Se=new xw(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new VM(B),ze=new sw,Xe=new yw(B,$e,Se,ze,it,ge,Lt),L=new OM(P),T=new Hy(B),be=new TM(B,T),$=new kM(B,T,Lt,be),
-he=new HM(B,$,T,be,Lt),re=new GM(B,it,Xe),ie=new CM(ze),oe=new iw(P,L,$e,it,be,ie),_e=new ww(P,ze),ye=new ow,te=new dw($e),O=new wM(P,L,Se,he,p,l),pe=new _w(P,he,
-it),Ge=new Tw(B,Lt,it,Se),ne=new AM(B,$e,Lt),we=new zM(B,$e,Lt),Lt.programs=oe.programs,P.capabilities=it,P.extensions=$e,P.properties=ze,P.renderLists=ye,P.shadowMap=
-pe,P.state=Se,P.info=Lt}y!==Hn&&(R=new XM(y,t.width,t.height,a,s,r));let le=new md(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+E}function Ze(){$e=new zM(B),$e.init(),ge=new Mw(B,$e),it=new RM(B,$e,e,ge),Se=new vw(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
+D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new HM(B),ze=new ow,Xe=new bw(B,$e,Se,ze,it,ge,Lt),L=new kM(P),T=new Xy(B),be=new EM(B,T),$=new VM(B,T,Lt,be),
+he=new XM(B,$,T,be,Lt),re=new WM(B,it,Xe),ie=new PM(ze),oe=new rw(P,L,$e,it,be,ie),_e=new Aw(P,ze),ye=new lw,te=new pw($e),O=new AM(P,L,Se,he,p,l),pe=new yw(P,he,
+it),Ge=new Ew(B,Lt,it,Se),ne=new CM(B,$e,Lt),we=new GM(B,$e,Lt),Lt.programs=oe.programs,P.capabilities=it,P.extensions=$e,P.properties=ze,P.renderLists=ye,P.shadowMap=
+pe,P.state=Se,P.info=Lt}y!==Hn&&(R=new qM(y,t.width,t.height,a,s,r));let le=new md(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=$e.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
 let E=$e.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(E){E!==void 0&&(Me=E,this.setSize(
 xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){qe("WebGLRenderer: Can't change size while VR devi\
@@ -3636,7 +3636,7 @@ se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.
 ut.set(E,k,j,q),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
-clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=m.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
+clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=g.has(Te)}if(Z){let Te=ce.texture.type,Pe=m.has(Te),Ae=O.getClearColor(),
 Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(w[0]=ke,w[1]=je,w[2]=dt,w[3]=Ie,B.clearBufferiv(
 B.COLOR,0,w))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
 setMask(4294967295)),q!==0&&B.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
@@ -3748,7 +3748,7 @@ B,Z,"bindMatrixInverse");let Rt=Z.skeleton;Rt&&(Rt.boneTexture===null&&Rt.comput
 exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let In=j.
 morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==
-null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Ew()),Ci){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
+null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Rw()),Ci){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
 Ue.needsLights&&ur(Yt,Yi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,S.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
 Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of S.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
@@ -3817,13 +3817,13 @@ B.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,qi),Se.pixelStorei
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
 Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,W=0,ce=null,Se.reset(),be.reset()},typeof __THREE_DEVTOOLS__<"\
 u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return ci}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
-this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var qc=0,Cw=1,Rw=new V,Bg=new ca,gd=new ei,kg=new V,$c=new Fi,Yc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Zc,this.
+this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var qc=0,Pw=1,Iw=new V,Bg=new ca,gd=new ei,kg=new V,$c=new Fi,Yc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Zc,this.
 unassigned=new Zc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new _d(e[t]));this._compute()}
 return this}setFromObject(e){let t=[];return e.updateMatrixWorld(!0),e.traverse(function(n){let s=n.geometry;if(s!==void 0){let r=s.attributes.position;if(r!==void 0)
 for(let o=0,a=r.count;o<a;o++){let l=new V;l.fromBufferAttribute(r,o).applyMatrix4(n.matrixWorld),t.push(l)}}}),this.setFromPoints(t)}containsPoint(e){let t=this.
 faces;for(let n=0,s=t.length;n<s;n++)if(t[n].distanceToPoint(e)>this.tolerance)return!1;return!0}intersectRay(e,t){let n=this.faces,s=-1/0,r=1/0;for(let o=0,a=n.
 length;o<a;o++){let l=n[o],c=l.distanceToPoint(e.origin),d=l.normal.dot(e.direction);if(c>0&&d>=0)return null;let u=d!==0?-c/d:0;if(!(u<=0)&&(d>0?r=Math.min(u,r):
-s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Rw)!==null}makeEmpty(){return this.faces=[],this.
+s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Iw)!==null}makeEmpty(){return this.faces=[],this.
 vertices=[],this}_addVertexToFace(e,t){return e.face=t,t.outside===null?this.assigned.append(e):this.assigned.insertBefore(t.outside,e),t.outside=e,this}_removeVertexFromFace(e,t){
 return e===t.outside&&(e.next!==null&&e.next.face===t?t.outside=e.next:t.outside=null),this.assigned.remove(e),this}_removeAllVerticesFromFace(e){if(e.outside!==
 null){let t=e.outside,n=e.outside;for(;n.next!==null&&n.next.face===e;)n=n.next;return this.assigned.removeSubList(t,n),t.prev=n.next=null,e.outside=null,t}}_deleteFaceVertices(e,t){
@@ -3841,11 +3841,11 @@ a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];
 p)}}let u=[];if(gd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ti.create(a,c,l),Ti.create(d,a,l),Ti.create(d,l,c),Ti.create(d,
 c,a));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+1].getEdge(2).setTwin(u[0].getEdge((3-h)%3)),u[h+1].getEdge(0).setTwin(u[f+1].getEdge(1))}}for(let h=0;h<4;h++)this.
-faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let m=0;m<4;m++){let g=this.faces[m].
-distanceToPoint(p.point);g>r&&(r=g,y=this.faces[m])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
+faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let g=0;g<4;g++){let m=this.faces[g].
+distanceToPoint(p.point);m>r&&(r=m,y=this.faces[g])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
 let n=this.faces[t];n.mark===qc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
-mark=Cw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
+mark=Pw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
 r)),r=r.next}while(r!==t);return this}_addAdjoiningFace(e,t){let n=Ti.create(e,t.tail(),t.head());return this.faces.push(n),n.getEdge(-1).setTwin(t.twin),n.getEdge(
 0)}_addNewFaces(e,t){this.newFaces=[];let n=null,s=null;for(let r=0;r<t.length;r++){let o=t[r],a=this._addAdjoiningFace(e,o);n===null?n=a:a.next.setTwin(s),this.
 newFaces.push(a.face),s=a}return n.next.setTwin(s),this}_addVertexToHull(e){let t=[];return this.unassigned.clear(),this._removeVertexFromFace(e,e.face),this._computeHorizon(
@@ -3865,45 +3865,45 @@ e,this}appendChain(e){for(this.head===null?this.head=e:this.tail.next=e,e.prev=t
 null?this.head=e.next:e.prev.next=e.next,e.next===null?this.tail=e.prev:e.next.prev=e.prev,this}removeSubList(e,t){return e.prev===null?this.head=t.next:e.prev.
 next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var Jc=class extends ln{constructor(e=[]){super();let t=[],n=[],r=new Yc().setFromPoints(e).faces;for(let o=0;o<r.length;o++){let a=r[o],l=a.edge;do{let c=l.head().
 point;t.push(c.x,c.y,c.z),n.push(a.normal.x,a.normal.y,a.normal.z),l=l.next}while(l!==a.edge)}this.setAttribute("position",new yt(t,3)),this.setAttribute("norma\
-l",new yt(n,3))}};var Kc=24,xd=.1;function zg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Pw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
-i,3*t));function Iw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
+l",new yt(n,3))}};var Kc=24,xd=.1;function zg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Lw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
+i,3*t));function Nw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
 n}var yd=Di({box:{geometry:()=>new Is,has_edges:!0},sphere:{geometry:({radius:i})=>new ea(i,Kc,Kc/2)},capsule:{geometry:i=>zg(i.axis,new Ko(i.radius,2*i.half_length,
-8,Kc))},cylinder:{geometry:i=>zg(i.axis,new Ls(i.radius,i.radius,2*i.half_length,Kc))},hull:{geometry:({points:i})=>new Jc(Pw(i))},mesh:{geometry:Iw}}),vd=i=>i.
+8,Kc))},cylinder:{geometry:i=>zg(i.axis,new Ls(i.radius,i.radius,2*i.half_length,Kc))},hull:{geometry:({points:i})=>new Jc(Lw(i))},mesh:{geometry:Nw}}),vd=i=>i.
 shape!=="box"&&i.shape in yd,Vg=i=>vd(i)?yd[i.shape]:yd.box,Gg=i=>vd(i)?"".concat(i.shape," ").concat(i.index):"box",bd=i=>i.size[0]>0?i.size:[xd,xd,xd],Hg=i=>vd(
-i)?[1,1,1]:bd(i);var or=0;var Wg=2,jc=3,Lw=32767,Nw=new xt().makeScale(0,0,0);function Dw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+i)?[1,1,1]:bd(i);var or=0;var Wg=2,jc=3,Dw=32767,Uw=new xt().makeScale(0,0,0);function Fw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
-i}function Uw(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ta;return e?Dw(t):t}function Xg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
+i}function Ow(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ta;return e?Fw(t):t}function Xg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),y=i==="marks"?"ma\
-rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),m=i==="marks"?new no(.5):y.geometry(f),
-g=new Cs(m,Uw(i,y.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,m=new Bn,g=new V,x=new rt;for(let{mesh:w,rows:b}of r)
-b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==or&&h.mark[C]!==jc)||f.hidden?.(C))w.setMatrixAt(S,Nw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...bd(M))),m.identity()):(g.set(...Hg(M)),m.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),w.setMatrixAt(
-S,p.compose(y,m,g))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
+rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),g=i==="marks"?new no(.5):y.geometry(f),
+m=new Cs(g,Ow(i,y.has_edges),p.length);return m.frustumCulled=!1,i==="marks"&&(m.renderOrder=2),n.add(m),{mesh:m,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,g=new Bn,m=new V,x=new rt;for(let{mesh:w,rows:b}of r)
+b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==or&&h.mark[C]!==jc)||f.hidden?.(C))w.setMatrixAt(S,Uw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(m.setScalar(Math.min(...bd(M))),g.identity()):(m.set(...Hg(M)),g.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),w.setMatrixAt(
+S,p.compose(y,g,m))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Cs(
-new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:m},g)=>{f.setMatrixAt(
-g,p.compose(new V(...y),new Bn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(m=>({distance:m.
-distance,row:p[m.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Lw*s)});return t}var qg=1e3/30,Fw=[.05,.1,.25,.5,1,2,4,8,16],Ow={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:g},m)=>{f.setMatrixAt(
+m,p.compose(new V(...y),new Bn,new V().setScalar(g)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(g=>({distance:g.
+distance,row:p[g.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
  6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Yg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
-ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Ow[i],'\
+ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(kw[i],'\
 "/></svg>'),e}function Bs(i,e,t){let n=X("button",{type:"button",className:i,title:e},Yg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
 n}var ar=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
 list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function Qc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0,
 played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
-"aria-label",n);let h=X("select",{className:"speed"},...Fw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
+"aria-label",n);let h=X("select",{className:"speed"},...Bw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
 "speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
-activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,S(),R&&r(0)},m=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
-g=R=>{y(),m(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,m(c),(l>0?c>=i.last:c<=i.first)&&y()},w=R=>{if(l===
-R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&m(i.first),R<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(x,qg),S(),r(R)},b=Bs("play","pl\
+activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,S(),R&&r(0)},g=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
+m=R=>{y(),g(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,g(c),(l>0?c>=i.last:c<=i.first)&&y()},w=R=>{if(l===
+R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&g(i.first),R<0&&o<=i.first&&g(i.last),c=o,d=performance.now(),a=setInterval(x,qg),S(),r(R)},b=Bs("play","pl\
 ay",()=>w(1)),C=Bs("back","play backwards",()=>w(-1));function S(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
-Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),m(i.beside(o,R))};return u.addEventListener("input",()=>g(Number(u.
+Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),g(i.beside(o,R))};return u.addEventListener("input",()=>m(Number(u.
 value))),u.addEventListener("keydown",R=>{let P={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[R.key];P===void 0||R.ctrlKey||R.metaKey||
-R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
-player"},Bs("first","first step",()=>g(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>g(i.last)),
-h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:w,stop:y,get step(){
+R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{m(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
+player"},Bs("first","first step",()=>m(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>m(i.last)),
+h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:m,move:_,play:w,stop:y,get step(){
 return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*qg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
 f.max=R,P},refresh:p}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
@@ -3915,63 +3915,63 @@ activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive
 0):e.turn(.12,0),ArrowUp:l=>l?e.pan(0,.05):e.turn(0,.12),ArrowDown:l=>l?e.pan(0,-.05):e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};
 i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function th(i,e){
 let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
-n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Bw=.07,kw=.25;function Md(i,e){let t=new Vn,n=new Ls(.5,.5,1,6).translate(0,.5,0),s=new jo(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
-opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Cs(y,r,a.length)),u=Bw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:m,impulse:g},x)=>{let w=u*Math.max(kw,Math.sqrt(Math.max(0,g)/h)),b=new Bn().
-setFromUnitVectors(f,new V(...m).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
-C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,zw=2;function Vw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
-n}function Sd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Gw(i,e){let t={around:-.9,up:.45,distance:.82*
+n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var zw=.07,Vw=.25;function Md(i,e){let t=new Vn,n=new Ls(.5,.5,1,6).translate(0,.5,0),s=new jo(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
+opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Cs(y,r,a.length)),u=zw*
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:g,impulse:m},x)=>{let w=u*Math.max(Vw,Math.sqrt(Math.max(0,m)/h)),b=new Bn().
+setFromUnitVectors(f,new V(...g).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
+C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,Gw=2;function Hw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+n}function Sd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Ww(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(wd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-zw));let{radius:o}=t,a=new Ho,l=new Fn(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
+Gw));let{radius:o}=t,a=new Ho,l=new Fn(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new ra("#ffffff","#c9d1da",1.9),c,d),s){let _=new ha(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
-a.add(_)}let u=Gw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
-m=!1,g=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
-u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
+a.add(_)}let u=Ww(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
+g=!1,m=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
+u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>g&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,m=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
 Math.max(1,_.y),l.updateProjectionMatrix(),w(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
 P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of y.values())F.visible=
 M===1||I===R;r.render(a,l)}},S=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:S,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
-{describe(P){R.describe(P),S()},show(P,I){R.show(P,I),S()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
+{describe(P){R.describe(P),S()},show(P,I){R.show(P,I),S()}}},set_side_by_side(_){g=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
 _),M&&M.points.length>0){let{points:R,colour:P,dash:I,on_top:F}=M,z={color:P,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new na({...z,dashSize:I,gapSize:.7*
-I}):new Ps(z),G=Vw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let R=b(),
+I}):new Ps(z),G=Hw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let R=b(),
 P=Math.min(R-1,Math.floor(_*R));w(),l.updateMatrixWorld();let I=new la;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
 I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),S()},zoom(_){
 u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),S()},pan(_,M){w(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(wd/2*Math.PI/180),P=new V().setFromMatrixColumn(
 l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),S()},look_at(_){u.centre.set(..._),S()},
-resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),g?C():S())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
-_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Hw=.05,Ww=40,Xw=.15,ks=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function $w(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=ks(n,o),l=ks(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function qw(i,e){
-let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Ad,Hw*Math.min(t,r>0?r:t))})}
+resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),m?C():S())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
+_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Xw=.05,$w=40,qw=.15,ks=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Yw(i){let{actual_mm:e,expected_mm:t}=i.
+frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=ks(n,o),l=ks(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Zw(i,e){
+let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Ad,Xw*Math.min(t,r>0?r:t))})}
 function Zg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:$g(n,r=>{let o=t?.
 slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=ks(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
-function Jg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Ww),r=[];for(let o of s)for(let a=1;a<
+function Jg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,$w),r=[];for(let o of s)for(let a=1;a<
 e.length;++a){let l=ks(e[a-1],o),c=ks(e[a],o);l&&c&&r.push(...l,...c)}return r}var Td=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
-="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Yw(){return X("p",{},Td('<path d="M0 8H36" stroke="var\
+="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Jw(){return X("p",{},Td('<path d="M0 8H36" stroke="var\
 (--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),Td('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
 />\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),Td('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
-o the other"))}function Zw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
+o the other"))}function Kw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
 id.filter((c,d)=>!ks(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
 e (gone, or not finite)");if(n.length===0)return"".concat(s,": nothing to compare here").concat(o);let a=n.reduce((c,d)=>d.value>c.value?d:c),l=n.filter(({value:c})=>c>
 Ad).length;return l===0?"".concat(s,": every body within ").concat(Ad," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
-" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(An(a.value/1e3)," away").concat(o)}function Jw(i){return{count:i.bodies.id.length,body:e=>({
-shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Kw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
+" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(An(a.value/1e3)," away").concat(o)}function jw(i){return{count:i.bodies.id.length,body:e=>({
+shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Qw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
 s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return th(t,Math.max(...i.bodies.size,.1))}var Ed=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
-apart:n,frame:0,stage:null,last_view:null}),this.limits=qw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
+apart:n,frame:0,stage:null,last_view:null}),this.limits=Zw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
 x"}).observe(e)}open(){if(this.stage)return;let e=X("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensi\
-ons. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.place.replaceChildren(e);let t=ji(),n=Kw(this.data);try{this.stage=nh(e,{hue:t,box:n})}catch{
+ons. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.place.replaceChildren(e);let t=ji(),n=Qw(this.data);try{this.stage=nh(e,{hue:t,box:n})}catch{
 this.place.textContent="This browser has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.
 last_view),this.actual=this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])
-s.describe(Jw(this.data));this.stage.set_lines("actual",{points:Jg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expe\
+s.describe(jw(this.data));this.stage.set_lines("actual",{points:Jg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expe\
 cted",{points:Jg(this.data,this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),eh(e,this.stage),this.resize(),this.show(this.frame)}close(){
 this.stage&&(this.last_view={...this.stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{
 frames:t,bodies:n}=this.data,s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Zg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.
 offsetHSL(0,0,.035*(o%5-2))}),this.expected.show(Zg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=ks(t.actual_mm[e],a),c=ks(t.expected_mm[e],
 a);return l&&c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:ji().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
-place;e>0&&this.stage?.resize(e,t)}};function Kg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=$w(e),r=X("div",{className:"\
-view3d"}),o=X("output"),a=new Ed(r,e,s),l=Qc({steps:new ar(0,n),dt:()=>Xw,full:!1,show:d=>{let u=Zw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
-show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Yw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
+place;e>0&&this.stage?.resize(e,t)}};function Kg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Yw(e),r=X("div",{className:"\
+view3d"}),o=X("output"),a=new Ed(r,e,s),l=Qc({steps:new ar(0,n),dt:()=>qw,full:!1,show:d=>{let u=Kw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
+show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Jw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
 Drag or use the arrow keys to turn, + and - to zoom. Lines: the ways of the bodies that went furthest astray."}));let c=s.map(d=>Math.max(...d.map(u=>u??0)));return l.
-seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var jg=5e-4,Qg=24,jw=50,Qw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},e0=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
+seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var jg=5e-4,Qg=24,e1=50,t1={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},e0=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
 .75,.5),ih=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:[null,null],with_contacts:!1,
 with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_speed:1,focus:null}),this.open()}open(){let e=X("canvas",{tabIndex:0});e.setAttribute(
 "role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.canvas=e,this.
@@ -3988,8 +3988,8 @@ e,this.place.classList.toggle("halves",e),this.tags[1]&&(this.tags[1].textConten
 frames[e],s=this.sessions[e]?.bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===or||n.mark[s]===jc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.
 place_of(0,e),this.place_of(1,e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.
 selected)return r.set(this.hue.select);if(this.paint==="speed")return e0(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return e0(Math.log10(Math.max(1e-9,
-this.apart(o)??0)/1e-9)/9,r);let a=t.mark[s]===Wg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Qw[n.
-texture(s)]??this.hue.actual),a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<jw;++s){if(t.mark[s]!==
+this.apart(o)??0)/1e-9)/9,r);let a=t.mark[s]===Wg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(t1[n.
+texture(s)]??this.hue.actual),a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<e1;++s){if(t.mark[s]!==
 jc)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;
 l.step.forEach((d,u)=>{let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.
 lost_places.get(o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],
@@ -4005,10 +4005,10 @@ max(1,Math.ceil(t.length/Qg));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slic
 this.selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.
 way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],
 colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,session:1}:null))}resize(){let{
-clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function e1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
+clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function n1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
 e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bodies"))];return e.
 finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(lr(
-"bodies lost","fail")),r}function t1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
+"bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
 a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
 y)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),
 a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?"is th\
@@ -4019,27 +4019,27 @@ let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are 
 facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{
 let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"\
 side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:
-[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...e1(l)])),n.replaceChildren(...t1(i).map(([l,c])=>X("p",{className:l,
+[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...n1(l)])),n.replaceChildren(...i1(i).map(([l,c])=>X("p",{className:l,
 textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it shou\
-ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var n1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function zn(i,e,t="",n=null){
+ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function zn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Vs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
-function i1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ps("","number");if(a!==null&&
+function r1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ps("","number");if(a!==null&&
 n){let u=X("button",{type:"button",className:"link",textContent:"plot"}),h=()=>u.setAttribute("aria-pressed",String(n.has(a,e,l??0)));u.setAttribute("aria-label",
 "plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return cr(X("th",{scope:"row",textContent:c}),ps(o,
 "number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function i0(i,{id:e,
-label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
-numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(m=>X("th",{scope:"col",textContent:m,className:"\
-number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:g}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[m]),w=x.map(S=>S?.hex??String(S?.
-value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:g}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(zn(zs(S.value),()=>c(g),"".
-concat(S.hex??""," \u2013 where does it come from?"),"".concat(g," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
-S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(m=>Number(m.toPrecision(4))).join(" \xD7 ")," \
+label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(g=>g.why_not),h=X("table",{className:"\
+numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(g=>X("th",{scope:"col",textContent:g,className:"\
+number"})))));let f=X("tbody"),p=r.find(g=>g.fields);for(let[g,{field:m}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[g]),w=x.map(S=>S?.hex??String(S?.
+value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:m}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(zn(zs(S.value),()=>c(m),"".
+concat(S.hex??""," \u2013 where does it come from?"),"".concat(m," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
+S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(g=>Number(g.toPrecision(4))).join(" \xD7 ")," \
 m"):"size unknown"];p&&y.push(p.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),
-o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(i1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
+o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(r1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
 r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; t\
 umble dump prints every bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));
 if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",
-zn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,n1),l="".
+zn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".
 concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(
 X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ps(""),p=y=>zn(n.short(
 y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ps("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),ps(
@@ -4053,7 +4053,7 @@ l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l
 map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":zn(t.label(u.with),()=>s(u.with))),h.append("\
 : ".concat(zs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??
 [])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(
-e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(zs(i)).concat(e?" (".concat(e,")"):"");function s1(i,e){if(i.why_not)return X("p",{className:"\
+e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(zs(i)).concat(e?" (".concat(e,")"):"");function o1(i,e){if(i.why_not)return X("p",{className:"\
 soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ps("","number");s.step===null?r.textContent="never":r.append(zn(String(
 s.step),()=>e(s.step),"","step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ps(s.step===null?"":String(s.substep),"number"),ps(String(
 s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
@@ -4071,8 +4071,8 @@ e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??
 l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),o.push(c);let u=X("button",{type:"button",className:"jump",textContent:"Go to the\
  first difference"});u.addEventListener("click",()=>n(a.step)),o.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>0?o.push(X("ul",{className:"marks"},...h.
 map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(An(f)," apart from "),zn("step ".concat(p),()=>n(p)),", ",zn(t(y),()=>s(y)))))):e.growth_unknown&&o.
-push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(s1(e.partings,n))}for(let l of e.notes??[])o.
-push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var r1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.
+push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
 fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, with Shift move; \
 zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].
@@ -4082,24 +4082,24 @@ player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek
 i,1),d:()=>i.go_to_first_difference(),"/":()=>i.search.focus(),n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener(
 "keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.
 key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Vs("Keys",
-{open:!1});return n.append(X("dl",{className:"keys"},...r1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
-Number(i.toPrecision(6))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),o1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
-"\u2013",u0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:o1,top:i=>Math.max(1,...a1(i.bodies))},{name:"contacts",kind:"line",of:(i,e)=>i.
+{open:!1});return n.append(X("dl",{className:"keys"},...a1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
+Number(i.toPrecision(6))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),l1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
+"\u2013",u0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:l1,top:i=>Math.max(1,...c1(i.bodies))},{name:"contacts",kind:"line",of:(i,e)=>i.
 contacts[e],words:(i,e)=>Rd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Rd(i.begun[e]),late:!0},{name:"energy",kind:"\
 line",of:(i,e)=>i.energy(e),words:(i,e)=>Ro(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Ro(i.kinetic[e])},{name:"\
 highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(c0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):c0(i.speed[e])},{name:"\
 deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>An(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,words:(i,e)=>Rd(i.lost[e]),
-bad:!0,only_if_any:!0}];function a1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var d0=i=>i.map((e,t)=>({name:e,kind:"line",title:"\
+bad:!0,only_if_any:!0}];function c1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var d0=i=>i.map((e,t)=>({name:e,kind:"line",title:"\
 up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.broken[s]??null;if(r===
 null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":"\u2713 holds")}})),
 f0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>h0(s(a,l),t),o=n==="step"?"":", largest of ".concat(n);return{
 name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".concat(e).concat(o),of:s,words:r}});function p0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<t.step.
 length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??null},r=(o,a)=>h0(s(o,a),e);return{name:i,kind:"line",fit:!0,title:"channel ".concat(i),of:s,
 words:r}}function m0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:
-null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var l1=8,sh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
+null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var h1=8,sh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
 return this.chosen.has(this.key(e,t,n))}lanes(){return[...this.chosen.values()].map(({lane:e})=>e)}flip(e,t,n){let s=this.key(e,t,n);if(!this.chosen.delete(s)){
 let[{rows:r,bodies:o}]=this.page.sessions,{name:a,unit:l}=r.channel_heads[e],c=n?"".concat(o.label(t)," and ").concat(o.label(n)):o.label(t),d={step:[],value:[]};
-this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:p0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>l1&&this.chosen.delete(this.chosen.keys().next().value),
+this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:p0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>h1&&this.chosen.delete(this.chosen.keys().next().value),
 this.read(s)}this.page.set_lanes()}async read(e){let{channel:t,a:n,b:s,history:r}=this.chosen.get(e),o=a=>(Object.assign(r,{step:a.step,value:a.value}),this.page.
 timeline.draw(),this.chosen.has(e));try{o(await this.page.sessions[0].channel_history(t,n,s,o))}catch(a){this.page.header.trouble(a)}}again(){for(let e of this.
 chosen.keys())this.read(e)}};var rh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Vs("Body"),this.blame_panel=Vs("Where it comes from"),this.blame_panel.place.hidden=
@@ -4132,62 +4132,64 @@ kinetic:{of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],un
 unit:""},begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],
 unit:""},broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}}),ah=Di({speed:{of:(i,e)=>i.speed[e],
 unit:"m/s"},spin:{of:(i,e)=>i.spin?.[e]??null,unit:"rad/s"},height:{of:(i,e)=>i.z[e],unit:"m"},x:{of:(i,e)=>i.x[e],unit:"m"},y:{of:(i,e)=>i.y[e],unit:"m"},z:{of:(i,e)=>i.
-z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>c1(i,e,t),unit:"m"}});function c1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
+z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>u1(i,e,t),unit:"m"}});function u1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
 map((r,o)=>[r,o]));let n=t.rows.get(i.step[e]),s=n===void 0?[null]:["x","y","z"].map(r=>i[r][e]===null||t[r][n]===null?null:i[r][e]-t[r][n]);return s.includes(null)?
-null:Math.hypot(...s)}var h1=Di({"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e}),u1=Di({"\u2265":">=","\u2264":"<=","==":"="});
-function d1(i,e,t){let n=/^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(i),s=Number(n?.[1]);return Number.isFinite(s)?n[2]===""||n[2]===t?{bound:s}:{
+null:Math.hypot(...s)}var d1=Di({"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e}),f1=Di({"\u2265":">=","\u2264":"<=","==":"="});
+function p1(i,e,t){let n=/^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(i),s=Number(n?.[1]);return Number.isFinite(s)?n[2]===""||n[2]===t?{bound:s}:{
 kind:"wrong",words:'"'.concat(n[2],'" is not the unit of ').concat(e,", which ").concat(t?"is in ".concat(t):"has none")}:{kind:"wrong",words:'"'.concat(i,'" is\
- no number')}}function g0(i,e=[]){let t=Di(Object.fromEntries(e.map(({name:h,unit:f})=>[h,f]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+(\d+)$/i.
-exec(n);if(s)return{kind:"step",step:Number(s[1])};let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.
-toLowerCase(),l=u1[r[2]]??r[2],c=(h,f,p,y={})=>{let{bound:m,...g}=d1(r[3],f,p);return m===void 0?g:{kind:h,quantity:f,unit:p,comparison:l,bound:m,...y}},d=(h,f,p)=>({
-kind:"wrong",words:'"'.concat(h,'" is no quantity').concat(f,"; there are ").concat(p.flatMap(Object.keys).join(", "))}),u=o in t?null:/^(.+?)\s+of\s+(.+)$/i.exec(
-o);if(u){let h=u[1].toLowerCase();return h in ah?c("body steps",h,ah[h].unit,{body:u[2]}):u[1]in t?c("channel steps",u[1],t[u[1]],{body:u[2]}):d(u[1]," of a bod\
-y",[ah,t])}return a in oh?c("steps",a,oh[a].unit):o in t?c("steps",o,t[o]):d(o,"",[oh,t])}function _0(i,e,t){let{of:n,body:s}=oh[i.quantity]??{of:(r,o)=>e.channels[i.
-quantity]?.[o]??null};return Id(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function x0(i,e,t){let{of:n}=ah[i.quantity];return Id(i,e.step,s=>n(e,s,t),()=>null)}function Pd(i,e){
-return Id(i,e.step,t=>e.value[t],()=>null)}function Id(i,e,t,n){let s=h1[i.comparison],r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,
-!(d&&s(c,i.bound))){a=null;continue}a||(a={first:e[l],last:e[l],peak:c,at:e[l],body:n(l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.
-assign(a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var lh=12,f1={">":": up to ",">=":": up to ","<":": down to ","<=":": down to ","=":": "};function p1(i,e){return Number.isFinite(i)?e==="m"?An(i):"".concat(Number(
-i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}function m1({thin:i},e){return!i||e===""?"":e==="m"?"; places are rounded to ".concat(
-An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}function y0(i){let e=X("input",{type:"search",placeholder:"speed > 5, speed of 12\
+ no number')}}function g0(i,e){let t=/^channel\.(.+)$/i.exec(i)?.[1];return t!==void 0&&!(i in e)&&t in e?t:null}function _0(i,e){let t=i.split(/(\s+and\s+)/i),
+n=[];for(let s=1;s<t.length;s+=2)n.push([t.slice(0,s).join(""),t.slice(s+1).join("")]);return n.find(s=>s.every(e))??n[0]??[i]}function x0(i,e=[]){let t=Di(Object.
+fromEntries(e.map(({name:f,unit:p})=>[f,p]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+(\d+)$/i.exec(n);if(s)return{kind:"step",step:Number(s[1])};
+let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,y,g={})=>{let{
+bound:m,...x}=p1(r[3],p,y);return m===void 0?x:{kind:f,quantity:p,unit:y,comparison:l,bound:m,...g}},d=(f,p,y)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
+ity').concat(p,"; there are ").concat(y.flatMap(Object.keys).join(", "))}),u=g0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
+exec(o);if(h){let f=h[1].toLowerCase(),p=g0(h[1],t);return p!==null?c("channel steps",p,t[p],{body:h[2]}):f in ah?c("body steps",f,ah[f].unit,{body:h[2]}):h[1]in
+t?c("channel steps",h[1],t[h[1]],{body:h[2]}):d(h[1]," of a body",[ah,t])}return a in oh?c("steps",a,oh[a].unit):o in t?c("steps",o,t[o]):d(o,"",[oh,t])}function y0(i,e,t){
+let{of:n,body:s}=(i.channel===void 0?oh[i.quantity]:void 0)??{of:(r,o)=>e.channels[i.quantity]?.[o]??null};return Id(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function v0(i,e,t){
+let{of:n}=ah[i.quantity];return Id(i,e.step,s=>n(e,s,t),()=>null)}function Pd(i,e){return Id(i,e.step,t=>e.value[t],()=>null)}function Id(i,e,t,n){let s=d1[i.comparison],
+r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,!(d&&s(c,i.bound))){a=null;continue}a||(a={first:e[l],last:e[l],peak:c,at:e[l],body:n(
+l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var lh=12,m1={">":": up to ",">=":": up to ","<":": down to ","<=":": down to ","=":": "};function g1(i,e){return Number.isFinite(i)?e==="m"?An(i):"".concat(Number(
+i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}function _1({thin:i},e){return!i||e===""?"":e==="m"?"; places are rounded to ".concat(
+An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}function b0(i){let e=X("input",{type:"search",placeholder:"speed > 5, speed of 12\
  > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a condition, or for a body by id or name");let t=X("output",
 {ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:p}=i.sessions[0],y=p.find(s.text);return t.value=y.length===
-0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(m=>X("li",{},zn(p.label(p.id(m)),()=>i.select(
-p.id(m))),p.label(p.id(m)).includes(p.name(m))?"":" ".concat(p.name(m))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:m}=i.sessions[0];return m?
-(t.value="the timeline was not read: ".concat(m),r=[],n.replaceChildren(),i.set_hits([]),[]):u(_0(s,p,g=>i.separation_at(g)),s.unit,y)},l=p=>i.sessions.slice(0,
-p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,m=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),g=[...new Set(m.flat())];if(g.
-length!==1)return t.value=g.length===0?'no body "'.concat(y.body,'"'):"".concat(g.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
-i.set_hits([]),[];let{unit:x}=y,w=y.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],S=_=>s!==y?!1:(b[0]&&(!w||b[1])&&(C=u(x0(y,...b),x,_,m1(i.
-sessions[0],x))),!0);try{for(let _ of w?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(g[0],R=>(b[_]=R,S(!1)&&s===y)),!S(M&&l(w)))return[]}p&&i.selected!==
-g[0]&&i.select(g[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,m=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
-{of:g,unit:x}=y.rows.channel_heads[m],w=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=g==="pairs"?p.body.split(/\s+and\s+/i):[p.body];if(g==="step")return w(
-'"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(g==="pairs"&&b.length!==2)return w('"'.concat(p.quantity,'" is a channel of pairs: ').concat(
-p.quantity," of 1 and 2 > 0"));if(!y.channel_history)return w("this page has no channels of single bodies; a served page (tumble view without -o) has");let C=b.
-map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return w(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' bodies answer to "').
-concat(b[M],'"; wanted one'));let[S,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(m,S,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===p));s===p&&u(Pd(p,
-M),x,l(!1))}catch(M){s===p&&w(M.message)}},u=({runs:p,judged:y},m,g,x="")=>{let w=g?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"no step has a valu\
-e of it".concat(w):"in no step".concat(w);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(w,", the firs\
-t at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+x,r=p.slice(0,lh).map(S=>{let _=S.first===S.last?"ste\
-p ".concat(S.first):"steps ".concat(S.first," to ").concat(S.last),M=X("li",{},zn(_,()=>i.player.seek(S.first)),f1[s.comparison],zn("".concat(p1(S.peak,m)),()=>i.
-player.seek(S.at),"at step ".concat(S.at)));return S.body&&M.append(", ",zn(i.sessions[0].bodies.label(S.body),()=>i.select(S.body))),M}),n.replaceChildren(...r),
-p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," more")})),i.set_hits(p),p},h=()=>(r=[],s=g0(e.value,i.sessions[0].rows.channel_heads),
-s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.value=s.kind===
-"wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
+0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(g=>X("li",{},zn(p.label(p.id(g)),()=>i.select(
+p.id(g))),p.label(p.id(g)).includes(p.name(g))?"":" ".concat(p.name(g))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:g}=i.sessions[0];return g?
+(t.value="the timeline was not read: ".concat(g),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,m=>i.separation_at(m)),s.unit,y)},l=p=>i.sessions.slice(0,
+p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,g=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),m=[...new Set(g.flat())];if(m.
+length!==1)return t.value=m.length===0?'no body "'.concat(y.body,'"'):"".concat(m.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
+i.set_hits([]),[];let{unit:x}=y,w=y.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],S=_=>s!==y?!1:(b[0]&&(!w||b[1])&&(C=u(v0(y,...b),x,_,_1(i.
+sessions[0],x))),!0);try{for(let _ of w?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(m[0],R=>(b[_]=R,S(!1)&&s===y)),!S(M&&l(w)))return[]}p&&i.selected!==
+m[0]&&i.select(m[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,g=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
+{of:m,unit:x}=y.rows.channel_heads[g],w=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=m==="pairs"?_0(p.body,M=>y.bodies.find(M).length===1):[p.body];if(m===
+"step")return w('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(m==="pairs"&&b.length!==2)return w('"'.concat(p.quantity,'" is a channel \
+of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!y.channel_history)return w("this page has no channels of single bodies; a served page (tumble view withou\
+t -o) has");let C=b.map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return w(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' \
+bodies answer to "').concat(b[M],'"; wanted one'));let[S,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(g,S,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===
+p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&w(M.message)}},u=({runs:p,judged:y},g,m,x="")=>{let w=m?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"\
+no step has a value of it".concat(w):"in no step".concat(w);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(
+w,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+x,r=p.slice(0,lh).map(S=>{let _=S.first===
+S.last?"step ".concat(S.first):"steps ".concat(S.first," to ").concat(S.last),M=X("li",{},zn(_,()=>i.player.seek(S.first)),m1[s.comparison],zn("".concat(g1(S.peak,
+g)),()=>i.player.seek(S.at),"at step ".concat(S.at)));return S.body&&M.append(", ",zn(i.sessions[0].bodies.label(S.body),()=>i.select(S.body))),M}),n.replaceChildren(
+...r),p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," more")})),i.set_hits(p),p},h=()=>(r=[],s=x0(e.value,i.sessions[0].rows.
+channel_heads),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.
+value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
 "keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="bod\
-y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,m)=>{
-let g=X("button",{type:"button",textContent:p,title:y});return g.setAttribute("aria-label",y),g.addEventListener("click",()=>i.next_hit(m)),g};return{place:X("d\
+y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,g)=>{
+let m=X("button",{type:"button",textContent:p,title:y});return m.setAttribute("aria-label",y),m.addEventListener("click",()=>i.next_hit(g)),m};return{place:X("d\
 iv",{className:"search"},X("div",{className:"search-row"},e,f("\u2039","the run of steps before (N)",-1),f("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.
-focus(),at(p){r.forEach((y,m)=>y.classList.toggle("at",m===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
-channel steps"&&d()}}}var g1=["box","grid","tower","pyramid","wall","pile","thrown"];var _1=["crate","brick","wood","concrete","white"],uo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
+focus(),at(p){r.forEach((y,g)=>y.classList.toggle("at",g===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
+channel steps"&&d()}}}var x1=["box","grid","tower","pyramid","wall","pile","thrown"];var y1=["crate","brick","wood","concrete","white"],uo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
-return this.json.static[e]===1}texture(e){return _1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
-...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=g1[n]??"body";return n===
+return this.json.static[e]===1}texture(e){return y1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
+...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=x1[n]??"body";return n===
 0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}label(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n===
 ""?"body ".concat(e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n!==
 ""&&e>=4503599627370496?n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?
 []:[r]}let n=[...this.rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).
-toLowerCase().includes(t)&&s.push(r);return s}};var v0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function Ta(i,e){for(let t of e)
-i.push(typeof t=="string"?Number(t):t)}var fo=class{constructor(e=[]){this.channel_heads=e;for(let t of v0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(
-t),this.events=[],this.begun_why_not="",this.channels=Di(),this.bounds=[]}get count(){return this.step.length}append(e){for(let t of v0)Ta(this[t],e[t]);e.bounds.
+toLowerCase().includes(t)&&s.push(r);return s}};var M0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function Ta(i,e){for(let t of e)
+i.push(typeof t=="string"?Number(t):t)}var fo=class{constructor(e=[]){this.channel_heads=e;for(let t of M0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(
+t),this.events=[],this.begun_why_not="",this.channels=Di(),this.bounds=[]}get count(){return this.step.length}append(e){for(let t of M0)Ta(this[t],e[t]);e.bounds.
 forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.
 push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(
 null);Ta(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.
@@ -4195,15 +4197,15 @@ step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;r
 0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1),s=t+1<this.count?this.step[t+1]-1:this.
 step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record with it is damaged"])}return e}unread_count(){return this.unread().reduce((e,[t,n])=>e+
 n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.
-step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var x1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function S0(i){if(!("DecompressionStream"in window))
-throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([x1(i)]).stream().pipeThrough(new DecompressionStream("def\
-late"));return new Response(e).arrayBuffer()}var b0=async i=>JSON.parse(new TextDecoder().decode(await S0(i))),M0=i=>i>>>1^-(i&1);function y1(i,e,t,n){let s=e*t,
+step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var v1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function T0(i){if(!("DecompressionStream"in window))
+throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([v1(i)]).stream().pipeThrough(new DecompressionStream("def\
+late"));return new Response(e).arrayBuffer()}var S0=async i=>JSON.parse(new TextDecoder().decode(await T0(i))),w0=i=>i>>>1^-(i&1);function b1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=M0(y)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
-t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=M0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
+e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,g=w0(y)+2*u-h|0;h=u,u=g,l[f*t+c]=g*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=w0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
 e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ld=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new uo(t.bodies),this.rows=new fo(e.channels),this.
 rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
-this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=y1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
+this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=b1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
 map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
@@ -4219,18 +4221,18 @@ speed:[],asleep:[]};for(let s of t===void 0?[]:this.steps){let r=this.frame(s),o
 push(o?r[a][t]:null);n.asleep.push(o?+(r.mark[t]===2):null)}return n}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===
 or)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"\
 orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y","z"].map(a=>({
-field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function w0(i){let e=[];
-for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([b0("session-".concat(n,"-details")),S0("session-".concat(n,"-frames"))]);e.push(new Ld(s,r,o))}let t=document.
-getElementById("session-0-difference")?await b0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var v1=16e7,Nd=24,b1=700,M1=120;async function T0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
-if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await T0(i,e)).json();function S1(i){let e=new DataView(
+field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function A0(i){let e=[];
+for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([S0("session-".concat(n,"-details")),T0("session-".concat(n,"-frames"))]);e.push(new Ld(s,r,o))}let t=document.
+getElementById("session-0-difference")?await S0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var M1=16e7,Nd=24,S1=700,w1=120;async function E0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await E0(i,e)).json();function T1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(y=>e.getUint32(n+y,!0));n+=16;let l=[0,1,2,3].map(y=>new Float32Array(i,n+4*y*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
 mark:d})}return t}var Dd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new uo(n),this.rows=new fo(t.channels),this.steps=null,this.
 timeline_done=!1,this.note="",this.unread="",this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[
 ...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.
 index(e);return t<0?(e-this.head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*
-e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=v1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
-64}}async fetch(e,t,n){let s=await T0("frames",{log:this.log,first:e,count:t,stride:n}),r=S1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(
+e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=M1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
+64}}async fetch(e,t,n){let s=await E0("frames",{log:this.log,first:e,count:t,stride:n}),r=T1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(
 a=>a.version))>this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await ii("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){
 return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Nd/2&&this.
 cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Nd-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.
@@ -4248,48 +4250,48 @@ await ii("head",{log:this.log})),e.version>this.bodies.version&&await this.fetch
 log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),this.rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.
 length<Math.min(e.begun,this.rows.count);){let s=await ii("begun",{log:this.log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=
 !0}for(let s of["note","unread"])e[s]!==this[s]&&(n=!0),this[s]=e[s];return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=e.contacts_why_not,
-this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function A0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Dd(s,
+this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function C0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Dd(s,
 n,await ii("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
 take_news()||l;o||(r=await ii("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
-u.busy);(c||d)&&setTimeout(a,d&&!c?M1:b1)};a()}}}var w1=30,T1=22,E0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function C0(i){let e=Math.min(devicePixelRatio,
+u.busy);(c||d)&&setTimeout(a,d&&!c?w1:S1)};a()}}}var A1=30,E1=22,R0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function P0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
-"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function A1(i,e,t,n){let s=new Float64Array(Math.
+"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function C1(i,e,t,n){let s=new Float64Array(Math.
 ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(
-s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function E1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
+s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function R1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
 i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=
-s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function C1(i,e,t,n,s,r){let{context:o,width:a,height:l}=C0(i),c=A1(t,e.of,n,a),d=E1(c,e,t);if(!d)return!1;let u=e.log?
+s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function P1(i,e,t,n,s,r){let{context:o,width:a,height:l}=P0(i),c=C1(t,e.of,n,a),d=R1(c,e,t);if(!d)return!1;let u=e.log?
 x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
 r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.
-fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,m=0,g=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(g=x,p(c.high[x])),
-y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),m=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
-m,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function R0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
-group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=E0(T1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
+fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,g=0,m=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(m=x,p(c.high[x])),
+y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),g=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
+g,l),o.lineTo(m,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function I0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
+group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=R0(E1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
 Math.max(1,e().last-e().first)*(x-1),h=(x,w,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),w),b),f=x=>{c=x.map(
-w=>{let b=E0(w1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
-o)},p=()=>{let{context:x,width:w,height:b}=C0(a),C=s(),{gaps:S,inputs:_,hits:M,first_difference:R}=n(),P=u(w);x.fillStyle=C.line,x.fillRect(0,b/2-1,w,2);for(let[
+w=>{let b=R0(A1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
+o)},p=()=>{let{context:x,width:w,height:b}=P0(a),C=s(),{gaps:S,inputs:_,hits:M,first_difference:R}=n(),P=u(w);x.fillStyle=C.line,x.fillRect(0,b/2-1,w,2);for(let[
 I,F]of S)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(P(I),2,Math.max(2,P(F)-P(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(P(I.first),
 b-7,Math.max(2,P(I.last)-P(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){let F=P(I);x.beginPath(),x.moveTo(F-4,1),x.lineTo(F+4,1),x.lineTo(F,9),x.fill()}R!==
 null&&(x.fillStyle=C.bad,x.fillRect(P(R)-1,0,2,b),x.beginPath(),x.moveTo(P(R)+1,0),x.lineTo(P(R)+9,4),x.lineTo(P(R)+1,8),x.fill())},y=()=>{let x=i.index(d),w=i.
 reaches(d)?x:-1;for(let{lane:S,value:_}of c)_.textContent=w<0||i.step[w]===void 0?"\u2013":S.words(i,w);let b=n().inputs.filter(S=>S.step===d);l.textContent=b.length>
 0?b.map(({kind:S,body:_})=>"".concat(S).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
-offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},m=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
-let _=C1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},g=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
+offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},g=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
+let _=P1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},m=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
 b=Math.min(1,Math.max(0,(x.clientX-w.left)/Math.max(1,w.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
-x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),g(x))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,
-show(x){d=x,y()}}}function P0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
-addEventListener("click",()=>{y(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),m(x))}),r.addEventListener("pointermove",m),new ResizeObserver(g).observe(r),{place:r,draw:g,set_lanes:f,
+show(x){d=x,y()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let g=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return g.
+addEventListener("click",()=>{y(),u()}),{made:g,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
 r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"\
 Whole scene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(
 f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar",role:"group",ariaLabel:"what is drawn"},X("label",{},"Colour by ",
-s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var R1=60,Ud=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
+s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var I1=60,Ud=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
 sessions)s.label=o=>r.label(o);this.steps=new ar(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
 this.player=Qc({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=t0(this),this.view=X("div",{className:"view3\
 d"}),this.said=X("output",{className:"said"}),this.told=X("output",{className:"told",ariaLabel:"what has happened"}),this.drawing=new ih(this.view,this.sessions,
-s=>this.select(s)),this.timeline=R0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:ji,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
-new sh(this):null,this.search=y0(this),this.side=new rh(this),this.toolbar=P0(this),this.keys=l0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
+s=>this.select(s)),this.timeline=I0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:ji,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
+new sh(this):null,this.search=b0(this),this.side=new rh(this),this.toolbar=L0(this),this.keys=l0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
 ork"},X("section",{className:"shown",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.told,this.player.bar,this.timeline.place),X("aside",
 {ariaLabel:"search and numbers"},this.search.place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.
 sessions.length===2&&this.side.show_difference()}union_of_steps(){return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-
@@ -4306,7 +4308,7 @@ head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&
 side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&this.player.seek(n),this.header.show(),this.
 side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.asked,n=this.sessions.map(s=>s.frame(
 s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.player.stride);n.every(s=>s!==null)?
-this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),R1)}own_step(e,t){return new ar(e.head.first,e.
+this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),I1)}own_step(e,t){return new ar(e.head.first,e.
 head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.now(),r=await Promise.
 all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,(t===this.asked||this.
 player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;this.wanted=null,n&&this.
@@ -4324,14 +4326,14 @@ value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell
 e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().catch(t=>this.header.trouble(t)),
 this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.first?.step;e!==void 0&&this.
 player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.
-length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function I0(i){try{let e=JSON.parse(
-document.getElementById("session-head").textContent),t=await(e.mode==="sent"?w0:A0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(
-X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function P1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function N0(i){try{let e=JSON.parse(
+document.getElementById("session-head").textContent),t=await(e.mode==="sent"?A0:C0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(
+X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function L1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
 groups??"").split(" "),s=Np(i,e,{first:t,groups:n}),r=Kg(i,e,s.show_step);Xa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function I1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
-try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var N0=document.createElement(
-"style");N0.textContent=nf+sf+rf;document.head.append(N0);for(let i of document.querySelectorAll("table.glance"))Fd(kp)(i);for(let i of document.querySelectorAll(
-".drawing"))I1(i,Fd(P1));for(let i of document.querySelectorAll(".pictures"))Fd(Dp)(i);var L0=document.getElementById("session");L0&&I0(L0);})();
+i)}function N1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
+try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var U0=document.createElement(
+"style");U0.textContent=nf+sf+rf;document.head.append(U0);for(let i of document.querySelectorAll("table.glance"))Fd(kp)(i);for(let i of document.querySelectorAll(
+".drawing"))N1(i,Fd(L1));for(let i of document.querySelectorAll(".pictures"))Fd(Dp)(i);var D0=document.getElementById("session");D0&&N0(D0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

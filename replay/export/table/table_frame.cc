@@ -23,11 +23,7 @@ bool fits_behind_name(const std::string& unit) {
 }
 
 /// A value on one line.
-std::string line_text(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
+std::string line_text(const std::string& text) { return printable(text); }
 
 }  // namespace
 
@@ -42,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan
   const EngineAxes axes = table_axes(header);
   const sim::Camera& camera = header.scene.camera;
   std::vector<std::pair<std::string, std::string>> lines;
-  const auto add = [&](const char* key, std::string value) { lines.emplace_back(key, line_text(std::move(value))); };
+  const auto add = [&](const char* key, std::string value) { lines.emplace_back(key, line_text(value)); };
   const bool ours = !header.engine;
   add("engine", ours ? "Tumble" : header.engine->name);
   const std::string version = ours ? header.tool_version : header.engine->version;

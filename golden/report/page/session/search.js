@@ -56,6 +56,22 @@ function bound_in(text, name, unit) {
   return { kind: "wrong", words: `"${found[2]}" is not the unit of ${name}, which ${unit ? `is in ${unit}` : "has none"}` };
 }
 
+/// The channel that "channel.NAME" asks for; null where the name is none of these. So one that is called as a quantity
+/// of ours, "channel.speed > 5", can be asked for too.
+function named_channel(name, units) {
+  const channel = /^channel\.(.+)$/i.exec(name)?.[1];
+  return channel !== undefined && !(name in units) && channel in units ? channel : null;
+}
+
+/// The names of the two bodies in "1 and 2". A name may hold " and " itself: the way to part them counts in which both
+/// are names, is_body(name), of one body each.
+export function pair_in(text, is_body) {
+  const words = text.split(/(\s+and\s+)/i);
+  const ways = [];
+  for (let k = 1; k < words.length; k += 2) ways.push([words.slice(0, k).join(""), words.slice(k + 1).join("")]);
+  return ways.find((names) => names.every(is_body)) ?? ways[0] ?? [text];
+}
+
 /// Reads a query: {kind: "body", text}, {kind: "steps", quantity, unit, comparison, bound}, {kind: "body steps",
 /// quantity, unit, body, comparison, bound}, likewise {kind: "channel steps", …} of a channel, {kind: "step", step} or
 /// {kind: "wrong", words}. channels: further columns, [{name, unit}].
@@ -76,9 +92,13 @@ export function parse_query(text, channels = []) {
   };
   const refused = (part, whose, tables) =>
     ({ kind: "wrong", words: `"${part}" is no quantity${whose}; there are ${tables.flatMap(Object.keys).join(", ")}` });
+  const channel = named_channel(name, units);
+  if (channel !== null) return asked("steps", channel, units[channel], { channel });
   const of = name in units ? null : /^(.+?)\s+of\s+(.+)$/i.exec(name);
   if (of) {
     const part = of[1].toLowerCase();
+    const one = named_channel(of[1], units);
+    if (one !== null) return asked("channel steps", one, units[one], { body: of[2] });
     if (part in kBodyQuantities) return asked("body steps", part, kBodyQuantities[part].unit, { body: of[2] });
     if (of[1] in units) return asked("channel steps", of[1], units[of[1]], { body: of[2] });
     return refused(of[1], " of a body", [kBodyQuantities, units]);
@@ -90,7 +110,7 @@ export function parse_query(text, channels = []) {
 /// {runs, judged}: runs of steps in which a condition holds, [{first, last, peak, at, body}], peak being the value
 /// furthest from the bound and `at` its step; judged: how many steps have a value.
 export function find_runs(query, rows, separation) {
-  const { of, body } = kQuantities[query.quantity] ?? { of: (_, i) => rows.channels[query.quantity]?.[i] ?? null };
+  const { of, body } = (query.channel === undefined ? kQuantities[query.quantity] : undefined) ?? { of: (_, i) => rows.channels[query.quantity]?.[i] ?? null };
   return runs_of(query, rows.step, (i) => of(rows, i, separation), (i) => body?.(rows, i) ?? null);
 }
 

@@ -1,6 +1,6 @@
 // The search: reads what is typed, and lists bodies or runs of steps.
 import { element, metres } from "../theme.js";
-import { find_body_runs, find_channel_runs, find_runs, parse_query } from "./search.js";
+import { find_body_runs, find_channel_runs, find_runs, pair_in, parse_query } from "./search.js";
 import { link } from "./panels.js";
 
 const kShown = 12;
@@ -91,7 +91,7 @@ export function make_search(page) {
       list.replaceChildren();
       page.set_hits([]);
     };
-    const names = whose === "pairs" ? asked.body.split(/\s+and\s+/i) : [asked.body];
+    const names = whose === "pairs" ? pair_in(asked.body, (name) => session.bodies.find(name).length === 1) : [asked.body];
     if (whose === "step") return refuse(`"${asked.quantity}" is a channel of the step, not of a body`);
     if (whose === "pairs" && names.length !== 2) return refuse(`"${asked.quantity}" is a channel of pairs: ${asked.quantity} of 1 and 2 > 0`);
     if (!session.channel_history) return refuse("this page has no channels of single bodies; a served page (tumble view without -o) has");

@@ -1,0 +1,71 @@
+// Shapes of an engine's bodies and inputs by name: no verdict of a session says that they agree where they do not.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+#include "tests/tools/stream_toy.h"
+
+namespace tumble::test {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A case of that engine, blessed; it requires behaviour alone.
+void bless_case(const Workshop& shop, const std::string& options) {
+  write_falling(shop, options);
+  shop.write("golden/cases/fall/metrics.toml",
+             "require = [\"behaviour\"]\n[engine]\ntitle = \"falling\"\ncategory = \"toys\"\ninputs = \"inputs.txt\"\n"
+             "[[metric]]\nname = \"lateral_max\"\nmax = 500\nwhy = \"a test\"\n");
+  shop.write("golden/cases/fall/inputs.txt", "{}\n");
+  const Outcome blessed = shop.run({"bless", "fall", "--reason", "a test"});
+  ASSERT_EQ(blessed.exit, 0) << blessed.err;
+}
+
+/// What check says of a session with these options.
+Outcome check_with(const Workshop& shop, const std::string& options) {
+  write_falling(shop, options);
+  return shop.run({"check", "--report", "r"});
+}
+
+TEST(EngineShapes, CheckNamesABodyOfAnotherShape) {
+  const Workshop shop;
+  bless_case(shop, "--sphere 1 --late");
+  const Outcome same = check_with(shop, "--sphere 1 --late");
+  EXPECT_EQ(same.exit, 0) << same.out;
+  const Outcome box = check_with(shop, "--late");
+  EXPECT_EQ(box.exit, 1) << box.out;
+  EXPECT_TRUE(has(box.out, "another shape: body 1: expected sphere of radius 0.5 m, actual box")) << box.out;
+  const Outcome other = check_with(shop, "--sphere 2 --late");
+  EXPECT_EQ(other.exit, 1) << other.out;
+  EXPECT_TRUE(has(other.out, "body 2: expected box, actual sphere of radius 0.5 m")) << other.out;
+}
+
+TEST(EngineShapes, CheckNamesOneThatAppearsLater) {
+  const Workshop shop;
+  bless_case(shop, "--sphere 3 --late");
+  const Outcome box = check_with(shop, "--late");
+  EXPECT_EQ(box.exit, 1) << box.out;
+  EXPECT_TRUE(has(box.out, "another shape: body 3: expected sphere of radius 0.5 m, actual box")) << box.out;
+}
+
+TEST(EngineShapes, CheckNamesAnInputByNameThatTheGoldenLacks) {
+  const Workshop shop;
+  bless_case(shop, "");
+  const Outcome poked = check_with(shop, "--poke 7");
+  EXPECT_EQ(poked.exit, 1) << poked.out;
+  EXPECT_TRUE(has(poked.out, "channel.input.poke: the golden has no such input")) << poked.out;
+}
+
+TEST(EngineShapes, DiffNamesOneThatAppearsLater) {
+  const Workshop shop;
+  record_falling(shop, "a", "--late");
+  record_falling(shop, "b", "--late --sphere 3");
+  const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(diff.exit, 1) << diff.out;
+  EXPECT_TRUE(has(diff.out, "only b.tumble has its shape of body 3")) << diff.out;
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble"}).exit, 0);
+}
+
+}  // namespace
+}  // namespace tumble::test
