@@ -83,9 +83,12 @@ Result<SuiteResult> merge_bundles(const MergeOptions& options) {
     if (!report.ok()) return report.error();
     add_problems(report->problems, result);
     add_canaries(one, report->canaries, result);
-    if (Status ok = copy_artifacts(one, options.report); !ok.ok()) return ok.error();
     result.facts.merged.push_back({m.shard, m.judged.size(), m.run.seconds, m.run.machine, m.run.date});
     if (options.progress) options.progress(m.shard, bundles->size());
+  }
+  if (Status ok = options.make_ready ? options.make_ready() : Status(); !ok.ok()) return ok.error();
+  for (const Bundle& one : *bundles) {
+    if (Status ok = copy_artifacts(one, options.report); !ok.ok()) return ok.error();
   }
   std::ranges::sort(result.cases, {}, &CaseResult::name);
   for (const CaseResult& one : result.cases) result.facts.expected.push_back(one.name);

@@ -13,13 +13,15 @@ namespace tumble::golden {
 struct MergeOptions {
   std::vector<std::filesystem::path> bundles;  ///< report folders of all shards of one check, in any order
   std::filesystem::path report;                ///< gets the files of failed cases
+  /// Called once all bundles are read, before the first file is written; an error ends the merge.
+  std::function<Status()> make_ready;
   /// Called as each shard was read; may be empty.
   std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
 /// The result of the check of the whole suite, from the bundles of its shards: as if it had not been split. A canary
-/// counts as caught if every shard caught it. Seconds are the slowest shard's, the date is the earliest. The report
-/// folder must be ready (prepare_merged_report). Errors: open_bundles', read_results'; kCannotFinish: the disk.
+/// counts as caught if every shard caught it. Seconds are the slowest shard's, the date is the earliest. A merge
+/// that is refused touches nothing. Errors: open_bundles', read_results', make_ready's; kCannotFinish: the disk.
 Result<SuiteResult> merge_bundles(const MergeOptions& options);
 
 }  // namespace tumble::golden

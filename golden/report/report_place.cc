@@ -39,6 +39,18 @@ files::OutputGuard guard_of(const fs::path& suite) {
   return guard;
 }
 
+files::OutputGuard guard_of_bundles(const std::vector<fs::path>& bundles) {
+  files::OutputGuard guard;
+  for (const fs::path& bundle : bundles) guard.keep_folder(bundle, "a shard's report");
+  return guard;
+}
+
+/// Whether a canonical path is that of a folder, or lies below it.
+bool is_in(const fs::path& path, const fs::path& folder) {
+  const auto [end, rest] = std::ranges::mismatch(folder, path);
+  return end == folder.end() || (std::next(end) == folder.end() && end->empty());
+}
+
 /// Whether run_case() leaves a file of that name in a report. The pictures of a golden have other names.
 bool is_left_of_a_case(const std::string& name) {
   if (name == kLogFile || name == kTrackFile || name == kSeriesFile) return true;
@@ -118,15 +130,20 @@ Status make_folder(const fs::path& folder) {
   return ::access(folder.c_str(), W_OK) == 0 ? Status() : files::cannot_open(folder.string(), errno);
 }
 
-/// Asks for all places, makes the folder, then removes the earlier report.
-Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
+/// Asks for all places.
+Status claim_all(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
   if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
   for (const char* name : {kReportFile, kPage, kFindings, kBundleFile}) {
     if (Status ok = claim(guard, "--report", folder / name, files::kind_by_name(name)); !ok.ok()) return ok;
   }
   const char* option = junit.empty() ? "--report" : "--junit";
   if (Status ok = claim(guard, option, junit_file(folder, junit), files::FileKind::kJunit); !ok.ok()) return ok;
-  if (Status ok = check_files_of_cases(folder); !ok.ok()) return ok;
+  return check_files_of_cases(folder);
+}
+
+/// Asks for all places, makes the folder, then removes the earlier report.
+Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
+  if (Status ok = claim_all(guard, folder, junit); !ok.ok()) return ok;
   if (Status ok = make_folder(folder); !ok.ok()) return ok;
   if (Status ok = files::write_whole_file((folder / kMark).string(), ""); !ok.ok()) return ok;
   remove_earlier_report(folder, junit);
@@ -144,9 +161,21 @@ Status prepare_report(const fs::path& suite, const fs::path& folder, const fs::p
   return prepare(guard, folder, junit);
 }
 
+Status check_merged_report(const std::vector<fs::path>& bundles, const fs::path& folder, const fs::path& junit) {
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(folder, error), error);
+  for (const fs::path& bundle : bundles) {
+    const fs::path inner = fs::weakly_canonical(fs::absolute(bundle, error), error);
+    if (!is_in(inner, place)) continue;
+    return bad_input("--report: " + printable(folder.string()) + ": holds " + printable(bundle.string()) +
+                     ", a shard's report, which this command only reads; name another folder");
+  }
+  files::OutputGuard guard = guard_of_bundles(bundles);
+  return claim_all(guard, folder, junit);
+}
+
 Status prepare_merged_report(const std::vector<fs::path>& bundles, const fs::path& folder, const fs::path& junit) {
-  files::OutputGuard guard;
-  for (const fs::path& bundle : bundles) guard.keep_folder(bundle, "a shard's report");
+  files::OutputGuard guard = guard_of_bundles(bundles);
   return prepare(guard, folder, junit);
 }
 

@@ -19,7 +19,13 @@ std::filesystem::path findings_file(const std::filesystem::path& folder);
 Status prepare_report(const std::filesystem::path& suite, const std::filesystem::path& folder,
                       const std::filesystem::path& junit);
 
-/// As prepare_report(), for a report that is merged of these bundles; none of their files may be replaced.
+/// Whether prepare_merged_report() may be called; touches nothing. Errors (kBadInput): the folder lies in a bundle, is
+/// one or holds one; prepare_report()'s.
+Status check_merged_report(const std::vector<std::filesystem::path>& bundles, const std::filesystem::path& folder,
+                           const std::filesystem::path& junit);
+
+/// As prepare_report(), for a report that is merged of these bundles, once all of them are read; none of their files
+/// may be replaced.
 Status prepare_merged_report(const std::vector<std::filesystem::path>& bundles, const std::filesystem::path& folder,
                              const std::filesystem::path& junit);
 

@@ -80,7 +80,7 @@ TEST_F(Merge, ItsReportCanBeMergedAgain) {
   ASSERT_TRUE(manifest.ok()) << manifest.error().message;
   EXPECT_EQ(manifest->facts.merged.size(), kShards);
   const fs::path again = root_ / "again";
-  const Result<SuiteResult> second = merge_bundles({{out()}, again, {}});
+  const Result<SuiteResult> second = merge_bundles({{out()}, again, {}, {}});
   ASSERT_TRUE(second.ok()) << second.error().message;
   EXPECT_EQ(comparable(*second), comparable(*merged));
 }

@@ -87,7 +87,7 @@ MadeShards::~MadeShards() {
 
 Result<SuiteResult> MadeShards::merge() {
   if (Status ok = prepare_merged_report(folders_, out(), ""); !ok.ok()) return ok.error();
-  return merge_bundles({folders_, out(), {}});
+  return merge_bundles({folders_, out(), {}, {}});
 }
 
 void MadeShards::edit(std::size_t k, const std::function<void(Manifest& manifest)>& change) {

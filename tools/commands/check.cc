@@ -111,9 +111,8 @@ Result<Exit> merge(const CheckCommand& options) {
   how.bundles.assign(options.cases.begin(), options.cases.end());
   how.report = options.report;
   if (how.bundles.empty()) return bad_input("--merge: found no folder, wanted the --report of every shard");
-  if (Status ok = golden::prepare_merged_report(how.bundles, options.report, options.junit); !ok.ok()) {
-    return ok.error();
-  }
+  if (Status ok = golden::check_merged_report(how.bundles, options.report, options.junit); !ok.ok()) return ok.error();
+  how.make_ready = [&] { return golden::prepare_merged_report(how.bundles, options.report, options.junit); };
   ProgressBar bar("merging");
   how.progress = [&](std::size_t done, std::size_t total) { bar.show(done, total); };
   const Result<golden::SuiteResult> result = golden::merge_bundles(how);
