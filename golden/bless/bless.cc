@@ -27,6 +27,7 @@ std::string hand_over(const CaseRun& run) {
   std::string golden;
   std::string pictures;
   Json json = to_json(run.result);
+  json["unable"] = run.unable;
   if (run.incomplete.empty()) {
     const Result<std::vector<std::byte>> bytes = pack(run.actual);
     if (bytes.ok()) {
@@ -50,13 +51,15 @@ std::string hand_over(const CaseRun& run) {
 struct Handed {
   CaseFolder folder;
   CaseResult result;
+  bool unable = false;  // the engine failed
   std::string golden;
   std::vector<std::string> pictures;  // one a [[picture]]; empty where it could not be drawn
   std::string rules_text;             // of the new metrics.toml
 };
 
 Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
-  Handed handed{.folder = folder, .result = {}, .golden = {}, .pictures = {}, .rules_text = {}};
+  Handed handed{
+      .folder = folder, .result = {}, .unable = !child.failure.empty(), .golden = {}, .pictures = {}, .rules_text = {}};
   if (!child.failure.empty()) {
     handed.result.bless_refused = "its process " + child.failure;
     return handed;
@@ -70,6 +73,7 @@ Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
   }
   handed.result = *std::move(result);
   const Json json = Json::parse(text);
+  handed.unable = json.at("unable");
   const std::vector<std::size_t> sizes = json.at("picture_bytes");
   const std::size_t end = child.output.size() - std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   std::size_t picture = end;
@@ -86,7 +90,7 @@ Blessing blessing_of(const CaseResult& result, bool is_new) {
   const Verdict& exact = result.verdict(VerdictKind::kExact);
   blessing.bits = exact.message;
   if (is_new) {
-    blessing.bits = "new, " + std::to_string(result.steps) + " steps of " + std::to_string(result.bodies) + " bodies";
+    blessing.bits = "new, " + count_text(result.steps, "step") + " of " + count_text(result.bodies, "body");
   } else if (exact.message.empty()) {
     blessing.bits = "made anew, for the old golden could not be read";
   }
@@ -138,7 +142,9 @@ Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vect
   std::ranges::sort(handed, {}, [](const Handed& h) { return h.folder.name; });
   for (const Handed& one : handed) {
     const std::string& why = one.result.bless_refused;
-    if (!why.empty()) return bad_input(one.folder.name + ": " + why + "; nothing was blessed");
+    if (why.empty()) continue;
+    const std::string text = one.folder.name + ": " + why + "; nothing was blessed";
+    return one.unable ? cannot_finish(text) : bad_input(text);
   }
   return handed;
 }

@@ -11,6 +11,7 @@
 #include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "src/scenes/problem.h"
 #include "tumble/golden/judge.h"
 #include "tumble/replay/compare.h"
@@ -130,8 +131,7 @@ Result<BlessReport> bless_log(const NewCase& options) {
   if (!golden.ok()) return golden.error();
 
   Blessing blessing{.name = options.name, .is_new = true, .bits = {}, .details = {}, .metrics = judged.result.metrics};
-  blessing.bits =
-      "new, " + std::to_string(judged.result.steps) + " steps of " + std::to_string(judged.result.bodies) + " bodies";
+  blessing.bits = "new, " + count_text(judged.result.steps, "step") + " of " + count_text(judged.result.bodies, "body");
   std::erase_if(blessing.metrics, [](const MetricResult& metric) { return !metric.value; });
   const BlessReport report{.blessed = {blessing}, .unchanged = {}};
   if (options.dry_run) return report;

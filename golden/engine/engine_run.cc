@@ -5,6 +5,7 @@
 
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
+#include "src/base/utf8.h"
 #include "src/process/split_words.h"
 
 namespace tumble::golden {
@@ -62,7 +63,7 @@ std::string shell_quoted(const std::string& word) {
 std::string end_of_output(const fs::path& file) {
   const Result<std::string> text = read_text(file);
   if (!text.ok() || text->empty()) return "";
-  return "; it printed: " + text->substr(text->size() - std::min(text->size(), kOutputShown));
+  return "; it printed: " + valid_text(text->substr(text->size() - std::min(text->size(), kOutputShown)));
 }
 
 Result<std::vector<std::string>> engine_words(const EngineProject& project, const std::string& command,

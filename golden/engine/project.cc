@@ -64,17 +64,18 @@ TableReading read_table(TableReader& engine) {
   return reading;
 }
 
-std::map<std::string, bool> read_claims(TableReader& engine) {
-  std::map<std::string, bool> claims;
+void read_claims(TableReader& engine, EngineProject& project) {
+  std::map<std::string, bool>& claims = project.claims;
   const toml::table* table = engine.table("claims");
-  if (table == nullptr) return claims;
+  if (table == nullptr) return;
   TableReader reader(*table, "[engine.claims]", engine.problem());
   for (const auto& [key, value] : *table) {
     const auto claim = claims.emplace(key.str(), false).first;  // the reader keeps a view of the key
     claim->second = reader.flag(claim->first, false);
+    const toml::source_position at = key.source().begin;
+    project.claim_places[claim->first] = std::to_string(at.line) + ":" + std::to_string(at.column);
   }
   reader.finish();
-  return claims;
 }
 
 std::string read_command(TableReader& reader, const char* key, bool shell) {
@@ -95,7 +96,7 @@ EngineProject read_engine(TableReader& reader, const toml::table& table) {
   project.scene = reader.text("scene", "", kCommandLengthMax);
   project.timeout_s = reader.number("timeout", 0, kTimeoutRule);
   project.table = read_table(reader);
-  project.claims = read_claims(reader);
+  read_claims(reader, project);
   reader.finish();
   return project;
 }

@@ -28,6 +28,7 @@ struct EngineProject {
   TableReading table;    ///< of what the engine writes, where that is a table
   std::map<std::string, bool>
       claims;  ///< [engine.claims]: relations and laws of a hunt, and whether the engine keeps them
+  std::map<std::string, std::string> claim_places;  ///< "7:1": line and column of each in the file
 };
 
 /// Errors (kBadInput): "<file>:<line>:<column>: [engine] key "run": found …, wanted …".

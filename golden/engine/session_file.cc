@@ -131,7 +131,8 @@ Status convert_table(const std::string& table, const std::string& converted, rep
   }
   const auto sink = [&] { return replay::open_file_sink(converted); };
   const Result<replay::LogSummary> summary = replay::import_csv(table, "its table", sink, how);
-  return summary.ok() ? Status() : Status(summary.error());
+  if (summary.ok()) return {};
+  return Error{summary.error().kind, "wrote a table that no log can hold: " + summary.error().message};
 }
 
 std::string text_of(const std::string& path) {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 
 #include "golden/suite/text_files.h"
 #include "replay/arrays/array_table.h"
@@ -14,10 +15,15 @@
 namespace tumble::golden {
 namespace {
 
+/// The engine failed that wrote what nobody can read; what [engine.table] names wrongly is bad input.
+Error failed(const Error& found) {
+  return {found.kind == ErrorKind::kBadInput ? ErrorKind::kCannotFinish : found.kind, found.message};
+}
+
 Result<std::string> table_of_archive(const std::string& bytes, const TableReading& reading,
                                      const std::filesystem::path& folder) {
   const Result<std::vector<replay::Array>> arrays = replay::read_npz(bytes, "its archive");
-  if (!arrays.ok()) return arrays.error();
+  if (!arrays.ok()) return failed(arrays.error());
   replay::ArrayOptions how;
   how.scalar_last = reading.scalar_last;
   if (!reading.model.empty()) {
@@ -28,7 +34,8 @@ Result<std::string> table_of_archive(const std::string& bytes, const TableReadin
     if (!joints.ok()) return joints.error();
     how.joints = *std::move(joints);
   }
-  return replay::table_of_arrays(*arrays, "its archive", how);
+  Result<std::string> table = replay::table_of_arrays(*arrays, "its archive", how);
+  return table.ok() ? std::move(table) : failed(table.error());
 }
 
 /// "up" of "# up: y" or "up: y".
@@ -72,7 +79,7 @@ Result<std::string> changed(const std::string& table, const TableReading& readin
   std::size_t names = 0;  // where the line with the names of the columns begins
   while (table.compare(names, 1, "#") == 0) names = std::min(table.find('\n', names), table.size() - 1) + 1;
   Result<replay::CsvReader> reader = replay::CsvReader::open(table, "its table");
-  if (!reader.ok()) return reader.error();
+  if (!reader.ok()) return failed(reader.error());
   if (Status ok = replay::rename_columns(map, *reader); !ok.ok()) return ok.error();
   if (reading.channels) name_channels(*reader);
   std::string columns;
@@ -84,6 +91,8 @@ Result<std::string> changed(const std::string& table, const TableReading& readin
 }  // namespace
 
 Status rewrite_table(const std::string& path, const TableReading& reading, const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};  // log_of_session() says so
   std::ifstream file(path, std::ios::binary);
   char first[2] = {};
   file.read(first, sizeof first);

@@ -29,17 +29,19 @@ std::string different_bodies(const BodyHashes& expected, const BodyHashes& actua
   sim::BodyId first = 0;
   std::size_t a = 0;
   std::size_t b = 0;
+  std::size_t total = 0;  // of both sides
   while (a < expected.id.size() || b < actual.id.size()) {
     const sim::BodyId id_a = a < expected.id.size() ? expected.id[a] : ~sim::BodyId{0};
     const sim::BodyId id_b = b < actual.id.size() ? actual.id[b] : ~sim::BodyId{0};
+    ++total;
     const bool same = id_a == id_b && expected.hash[a] == actual.hash[b];
     if (!same && count++ == 0) first = std::min(id_a, id_b);
     if (id_a <= id_b) ++a;
     if (id_b <= id_a) ++b;
   }
   if (count == 0) return "";
-  return "at step " + number(actual.step) + ", " + number(count) + " of " + number(expected.id.size()) +
-         " bodies differ, the first is body " + number(first);
+  return "at step " + number(actual.step) + ", " + number(count) + " of " + count_text(total, "body") +
+         (count == 1 ? " differs" : " differ") + ", the first is body " + number(first);
 }
 
 /// Whether the difference is one of channels or contacts.

@@ -27,6 +27,7 @@ double relative_movement(const MetricResult& metric) {
 
 std::string with_unit(const std::optional<double>& value, int digits, const std::string& unit) {
   if (!value) return "null";
+  if (!std::isfinite(*value)) return std::isnan(*value) ? "not a number" : "infinite";
   return significant(*value, digits) + (unit.empty() || unit == "bodies" || unit == "bounces" ? "" : " " + unit);
 }
 
@@ -108,6 +109,7 @@ const MetricResult* most_moved(const std::vector<MetricResult>& metrics) {
 }
 
 std::string value_text(const std::optional<double>& value, const std::string& unit) {
+  if (value && !std::isfinite(*value)) return std::isnan(*value) ? "not a number" : "infinite";
   return value ? rounded(*value, unit) : "null";
 }
 

@@ -75,7 +75,7 @@ Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<do
   if (rules.metrics.empty()) return {Outcome::kFail, "no metric: nothing to compare"};
   const auto failed = std::ranges::count_if(out, [](const MetricResult& m) { return !m.pass; });
   if (failed == 0) return passed(out);
-  return {Outcome::kFail, std::to_string(failed) + " of " + std::to_string(rules.metrics.size()) + " metrics failed"};
+  return {Outcome::kFail, std::to_string(failed) + " of " + count_text(rules.metrics.size(), "metric") + " failed"};
 }
 
 }  // namespace tumble::golden

@@ -17,6 +17,7 @@ struct CaseRun {
   Expected actual;
   std::vector<std::optional<double>> values;
   std::vector<DrawnPicture> pictures;
+  bool unable = false;                        ///< the engine or the machine failed, and not what the case asks
   std::string incomplete = "it was not run";  ///< why the run stopped; empty: it ran to its end and was measured
 };
 

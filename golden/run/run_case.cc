@@ -57,6 +57,7 @@ class CaseRunner {
   /// A problem that ends the run.
   bool stop(const Error& error) {
     run_.incomplete = error.message;
+    run_.unable = error.kind == ErrorKind::kCannotFinish;
     fail(error);
     return false;
   }
@@ -143,6 +144,7 @@ class CaseRunner {
     const bool repeats = run_.rules.engine && run_.rules.engine->repeat > 1 && !session->cut_short;
     if (repeats && !judge_repeated(*log, reference, judged)) return;
     run_.incomplete = reason_to_stop(*session, *log, judged);
+    run_.unable = !session->failure.empty();
     take(std::move(judged));
     if (recorded_ != nullptr && run_.incomplete.empty() && recorded_->final_hash != run_.result.final_hash) {
       stop(bad_input("the report's session does not end as the report says"));

@@ -17,7 +17,11 @@ constexpr std::size_t kBytesMax = std::size_t{256} << 20;
 template <class Content>
 Result<Content> read(const fs::path& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) return bad_input(path.string() + ": is a folder, not a file");
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) return bad_input(path.string() + ": is a folder, not a file");
+  // A pipe is opened by whoever waits for its other end, for ever.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return bad_input(path.string() + ": is no file, but a pipe or a device; remove it");
   errno = 0;
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return bad_input(path.string() + ": cannot be opened: " + std::strerror(errno));

@@ -154,7 +154,7 @@ std::string magnitude(const Divergence& divergence) {
   const auto* b = std::get_if<double>(&divergence.actual);
   if (a == nullptr || b == nullptr || !is_in_state(divergence)) return "";
   const double apart = std::fabs(*a - *b);
-  if (!std::isfinite(apart)) return "infinite";
+  if (!std::isfinite(apart)) return std::isnan(*a) || std::isnan(*b) ? "not a number" : "infinite";
   return rounded(apart, unit_of(divergence.field));
 }
 

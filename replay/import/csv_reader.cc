@@ -116,7 +116,7 @@ Result<bool> CsvReader::next() {
     split();
     const bool whole = cells_.size() == columns_.size();
     if (whole && has_end_) return true;
-    std::string found = "found " + std::to_string(cells_.size()) + " cells, wanted " + std::to_string(columns_.size()) +
+    std::string found = "found " + count_text(cells_.size(), "cell") + ", wanted " + std::to_string(columns_.size()) +
                         ", one for each column";
     if (whole) found = "found no line end behind this row, wanted one";
     if (!has_end_) found += "; the table may have been cut here; if nothing is missing, end its last line";

@@ -1,5 +1,6 @@
 #include "src/base/utf8.h"
 
+#include <algorithm>
 #include <array>
 
 namespace tumble {
@@ -30,6 +31,16 @@ Character utf8_at(std::string_view text, std::size_t at) {
   const bool is_surrogate = code >= 0xD800U && code <= 0xDFFFU;
   if (code < kLeast[length] || code > 0x10FFFFU || is_surrogate) return {};
   return {code, length};
+}
+
+std::string valid_text(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_at(text, at).length;
+    out += length == 0 ? "\uFFFD" : text.substr(at, length);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return out;
 }
 
 bool is_shown_as_read(std::uint32_t code) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 /// Characters of UTF-8 text that anybody may have written.
@@ -18,6 +19,9 @@ std::size_t utf8_length(char first);
 
 /// The character that begins at text[at]. Longer forms than needed and surrogates are not valid.
 Character utf8_at(std::string_view text, std::size_t at);
+
+/// The text with U+FFFD in the place of each byte that belongs to no character.
+std::string valid_text(std::string_view text);
 
 /// Whether a reader sees what the character is: false for control characters but newline and tab, for characters that
 /// turn the direction of writing, and for U+FFFE and U+FFFF, which are none.

@@ -42,7 +42,7 @@ TEST(EngineReading, ReplayReadsATableByItsMapping) {
   EXPECT_EQ(shop.run({"replay", "a.tumble"}).exit, 1);
   write_project(shop, "cp new.csv {log}");
   const Outcome without = shop.run({"replay", "a.tumble"});
-  EXPECT_EQ(without.exit, 2) << without.out;
+  EXPECT_EQ(without.exit, 4) << without.out;
   EXPECT_TRUE(says(without.err, "position.x")) << without.err;
   write_project(shop, "cp new.csv {log}", "[engine.table]\nmap = \"px\"\n");
   EXPECT_TRUE(says(shop.run({"replay", "a.tumble"}).err, "[engine.table] key \"map\"")) << "a mapping without =";

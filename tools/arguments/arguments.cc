@@ -63,6 +63,11 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
   return "";
 }
 
+// An empty variable of a script must not pass for an option that was not given.
+std::string names_something(const std::string& text) {
+  return text.empty() ? found_wanted(in_quotes(text), "a value; leave the option out where there is none") : "";
+}
+
 CLI::ValidationError wrong(const std::string& name, const std::string& found, const std::string& wanted) {
   return CLI::ValidationError(name, found_wanted(in_quotes(found), wanted));
 }
@@ -103,12 +108,13 @@ Argument Arguments::positionals(const std::string& name, std::vector<std::string
 
 Argument Arguments::option(const std::string& names, const std::string& sign, std::string& target,
                            const std::string& description) {
-  return Argument(app_->add_option(names, target, description)->type_name(sign));
+  return Argument(app_->add_option(names, target, description)->type_name(sign)->check(names_something));
 }
 
 Argument Arguments::option(const std::string& names, const std::string& sign, std::vector<std::string>& target,
                            const std::string& description) {
-  return Argument(app_->add_option(names, target, description)->type_name(sign)->allow_extra_args(false));
+  return Argument(
+      app_->add_option(names, target, description)->type_name(sign)->allow_extra_args(false)->check(names_something));
 }
 
 Argument Arguments::whole(const std::string& name, const std::string& sign, std::optional<std::uint64_t>& target,

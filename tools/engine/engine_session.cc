@@ -91,7 +91,11 @@ Result<EngineSession> run_engine_session(replay::LogReader& log, const golden::E
   Result<golden::SessionLog> made = golden::log_of_session(files->log, converted, &log);
   const std::string who =
       (project.file.empty() ? "" : project.file.string() + ": ") + "the engine's command \"" + project.run + "\" ";
-  if (!made.ok()) return Error{made.error().kind, who + made.error().message + golden::end_of_output(place.output)};
+  if (!made.ok()) {
+    // What the engine wrote and nobody can read is the engine's failure, and no slip of the command line.
+    const ErrorKind kind = made.error().kind == ErrorKind::kBadInput ? ErrorKind::kCannotFinish : made.error().kind;
+    return Error{kind, who + made.error().message + golden::end_of_output(place.output)};
+  }
   if (!made->refused.empty()) session.failure = who + made->refused + golden::end_of_output(place.output);
   session.log = std::move(made->path);
   session.warnings = std::move(made->warnings);

@@ -29,6 +29,7 @@ std::string since(const std::optional<std::uint64_t>& step, bool had_any) {
 }
 
 std::string distance_text(double distance, const char* unit) {
+  if (std::isnan(distance)) return "not a number";
   return std::isfinite(distance) ? rounded(distance, unit) : "infinite";
 }
 
