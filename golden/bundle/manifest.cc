@@ -2,24 +2,19 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <system_error>
 
+#include "golden/bundle/sealed_text.h"
 #include "golden/judge/case_json.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
-#include "tumble/sim/hash.h"
 
 namespace tumble::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHashKey = ",\n \"hash\": \"";
-constexpr const char* kEnd = "\"\n}\n";
 constexpr std::size_t kShardsMax = 10'000;
-
-std::string hash_text(std::string_view text) { return to_string(hash_bytes(std::as_bytes(std::span(text)))); }
 
 Json facts_json(const RunFacts& facts) {
   Json options = Json::object();
@@ -96,16 +91,10 @@ std::string fault_of(const Manifest& manifest) {
 
 Result<Manifest> parse(const std::string& text, const std::string& file) {
   const std::string again = "; run that shard again";
-  const std::size_t at = text.rfind(kHashKey);
   const auto damaged = [&](const std::string& how) {
     return Error{ErrorKind::kDamaged, file + ": damaged: " + how + again};
   };
-  if (at == std::string::npos || !text.ends_with(kEnd)) return damaged("its end is missing");
-  const std::string_view body = std::string_view(text).substr(0, at);
-  const std::string wanted = hash_text(body);
-  if (std::string_view(text).substr(at) != kHashKey + wanted + kEnd) {
-    return damaged("its text has the hash " + wanted + ", which its last key is not");
-  }
+  if (const std::string fault = fault_of_seal(text); !fault.empty()) return damaged(fault);
   try {
     const Json json = Json::parse(text);
     if (const Json& format = json.at("format"); format != kBundleFormat) {
@@ -138,9 +127,7 @@ std::string manifest_text(const Manifest& manifest) {
   for (const BundleFile& file : manifest.files) {
     json["files"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"hash", file.hash}});
   }
-  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
-  text.resize(text.size() - 2);  // the end of the line and the brace
-  return text + kHashKey + hash_text(text) + kEnd;
+  return sealed(json.dump(1, ' ', false, Json::error_handler_t::replace));
 }
 
 Result<Manifest> read_manifest(const fs::path& folder) {

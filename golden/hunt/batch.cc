@@ -26,13 +26,15 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
   for (std::uint64_t at = first; at < first + scenes && !enough(); ++at) {
     const std::uint64_t number = share.number(at);
     const Result<TextScene> scene = drawn_scene(seed, number);
-    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}};
+    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}, {}};
     if (!judged.unable.empty()) {
       batch.unable = "scene " + std::to_string(number) + ": " + judged.unable;
       return batch;
     }
     ++batch.scenes;
-    if (!judged.problem.empty()) ++batch.no_scenes;
+    if (judged.refused && batch.refused++ == 0)
+      batch.refusal = "scene " + std::to_string(number) + ": " + judged.problem;
+    if (!judged.problem.empty() && !judged.refused) ++batch.no_scenes;
     bool broke = !judged.problem.empty();
     for (std::size_t k = 0; k < judged.judgements.size(); ++k) {
       const auto& [name, one] = judged.judgements[k];
@@ -53,17 +55,15 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
 }
 
 std::string to_text(const Batch& batch) {
-  Json json = {{"unable", batch.unable},
-               {"scenes", batch.scenes},
-               {"no_scenes", batch.no_scenes},
-               {"tallies", Json::array()},
+  Json json = {{"unable", batch.unable},   {"scenes", batch.scenes},   {"no_scenes", batch.no_scenes},
+               {"refused", batch.refused}, {"refusal", batch.refusal}, {"tallies", Json::array()},
                {"findings", Json::array()}};
   for (const Tally& one : batch.tallies) {
     json["tallies"].push_back({one.held, one.broken, one.not_applicable, one.nearest, one.nearest_number});
   }
   for (const Finding& one : batch.findings) json["findings"].push_back(to_json(one));
   json["features"] = batch.features;
-  return json.dump();
+  return whole_text(json);
 }
 
 Result<Batch> batch_from(const std::string& text) {
@@ -73,6 +73,8 @@ Result<Batch> batch_from(const std::string& text) {
     Batch batch;
     batch.scenes = json.at("scenes");
     batch.no_scenes = json.at("no_scenes");
+    batch.refused = json.at("refused");
+    batch.refusal = json.at("refusal");
     for (const Json& one : json.at("tallies")) {
       batch.tallies.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
     }
@@ -85,11 +87,14 @@ Result<Batch> batch_from(const std::string& text) {
 }
 
 std::string judgements_text(const Judged& judged) {
-  Json json = {{"problem", judged.problem}, {"unable", judged.unable}, {"judgements", Json::array()}};
+  Json json = {{"problem", judged.problem},
+               {"refused", judged.refused},
+               {"unable", judged.unable},
+               {"judgements", Json::array()}};
   for (const auto& [name, one] : judged.judgements) {
     json["judgements"].push_back({name, static_cast<int>(one.outcome), to_json(one)});
   }
-  return json.dump();
+  return whole_text(json);
 }
 
 Result<Judged> judgements_from(const std::string& text) {
@@ -98,6 +103,7 @@ Result<Judged> judgements_from(const std::string& text) {
     if (const std::string unable = json.at("unable"); !unable.empty()) return cannot_finish(unable);
     Judged judged;
     judged.problem = json.at("problem");
+    judged.refused = json.at("refused");
     for (const Json& one : json.at("judgements")) {
       Judgement judgement = judgement_from(one.at(2));
       judgement.outcome = static_cast<Outcome>(one.at(1).get<int>());
@@ -109,7 +115,8 @@ Result<Judged> judgements_from(const std::string& text) {
   }
 }
 
-Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most) {
+Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most,
+                       const std::function<bool()>& enough) {
   const Result<TextScene> scene = drawn_scene(finding.seed, finding.number);
   if (!scene.ok()) return finding;
   const double wanted = std::clamp(0.5 * times_bound(finding.judgement), 1.0, kTimesKept);
@@ -119,7 +126,7 @@ Finding shrink_finding(const Question& question, Finding finding, std::uint64_t 
     return one;
   };
   const Tracer tracer = [&question](const sim::SceneDef& candidate) { return trace_of(question, candidate); };
-  const Shrunk least = shrink(*scene, finding.judgement, test, tracer, tries_most);
+  const Shrunk least = shrink(*scene, finding.judgement, test, tracer, tries_most, enough);
   TextScene named = least.scene;
   finding.shrunk_judgement = least.judgement;
   finding.bodies = named.scene.boxes.size();

@@ -17,8 +17,10 @@ Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number);
 /// Scenes of one shard in turn, judged in one child process.
 struct Batch {
   std::string unable;        ///< why the engine could not be run: nothing else of the batch counts
-  std::uint64_t scenes = 0;  ///< judged, those of no_scenes included
+  std::uint64_t scenes = 0;  ///< judged, those of no_scenes and refused included
   std::uint64_t no_scenes = 0;
+  std::uint64_t refused = 0;   ///< by the engine
+  std::string refusal;         ///< the first
   std::vector<Tally> tallies;  ///< by relation, in the question's order
   std::vector<Finding> findings;
   std::vector<std::pair<std::uint64_t, std::vector<std::string>>>
@@ -39,7 +41,9 @@ Result<Batch> batch_from(const std::string& text);
 std::string judgements_text(const Judged& judged);
 Result<Judged> judgements_from(const std::string& text);
 
-/// Shrinks the scene of a finding; not one that ends the program.
-Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most);
+/// Shrinks the scene of a finding; not one that ends the program. enough: asked before each candidate; true keeps what
+/// the search has reached.
+Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most,
+                       const std::function<bool()>& enough);
 
 }  // namespace tumble::hunt

@@ -8,7 +8,9 @@
 
 #include "golden/hunt/batch.h"
 #include "golden/hunt/judge/features.h"
+#include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "tumble/scenes/scene_file.h"
 #include "tumble/sim/hash.h"
 
@@ -28,12 +30,15 @@ Result<std::vector<fs::path>> scenes_in(const fs::path& folder) {
   return files;
 }
 
-Result<TextScene> read_scene(const fs::path& file) {
-  Result<std::string> text = golden::read_text(file);
-  if (!text.ok()) return text.error();
-  Result<sim::SceneDef> scene = scenes::parse_scene(*text, file.string());
-  if (!scene.ok()) return scene.error();
-  return TextScene{*std::move(text), *std::move(scene)};
+// Every file that is of no use in one error: a corpus is mended at once. A cut file is damage.
+Error unusable(const fs::path& folder, std::size_t files, const std::vector<Error>& problems) {
+  Error all = bad_input(folder.string() + ": " + std::to_string(problems.size()) + " of " + count_text(files, "file") +
+                        " cannot be used; mend or remove what is named here:");
+  for (const Error& one : problems) {
+    if (one.kind == ErrorKind::kDamaged) all.kind = one.kind;
+    all.message += "\n  " + one.message;
+  }
+  return all;
 }
 
 // The first half of a hash of the text: two corpora name one scene alike.
@@ -41,6 +46,52 @@ std::string name_of_text(const std::string& text) {
   Hasher hasher;
   hasher.add(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   return to_string(hasher.digest()).substr(0, 16) + ".toml";
+}
+
+// A name that add() may have given: its file is whole, or was cut or changed.
+bool is_named_by_text(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return stem.size() == 16 && stem.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+Result<TextScene> read_scene(const fs::path& file) {
+  Result<std::string> text = golden::read_text(file);
+  if (!text.ok()) return text.error();
+  if (is_named_by_text(file) && name_of_text(*text) != file.filename().string())
+    return damaged(file.string() + ": was cut or changed: its name is not the hash of its text");
+  Result<sim::SceneDef> scene = scenes::parse_scene(*text, file.string());
+  if (!scene.ok()) return scene.error();
+  return TextScene{*std::move(text), *std::move(scene)};
+}
+
+Result<std::vector<TextScene>> read_scenes(const fs::path& folder, const std::vector<fs::path>& files) {
+  std::vector<TextScene> scenes;
+  std::vector<Error> problems;
+  for (const fs::path& file : files) {
+    Result<TextScene> scene = read_scene(file);
+    if (!scene.ok()) {
+      problems.push_back(scene.error());
+    } else {
+      scenes.push_back(*std::move(scene));
+    }
+  }
+  if (!problems.empty()) return unusable(folder, files.size(), problems);
+  return scenes;
+}
+
+// What each scene of a folder does.
+Result<std::vector<std::vector<std::string>>> features_of_all(const fs::path& folder,
+                                                              const std::vector<fs::path>& files,
+                                                              const std::vector<TextScene>& scenes) {
+  std::vector<std::vector<std::string>> features;
+  std::vector<Error> problems;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const Result<Trace> session = trace(scenes[k].scene);
+    if (!session.ok()) problems.push_back(bad_input(files[k].string() + ": " + session.error().message));
+    features.push_back(session.ok() ? features_of(*session) : std::vector<std::string>{});
+  }
+  if (!problems.empty()) return unusable(folder, files.size(), problems);
+  return features;
 }
 
 }  // namespace
@@ -51,14 +102,11 @@ Result<Corpus> Corpus::open(const fs::path& folder) {
   if (!fs::exists(folder, error)) return corpus;
   Result<std::vector<fs::path>> files = scenes_in(folder);
   if (!files.ok()) return files.error();
-  for (const fs::path& file : *files) {
-    const Result<TextScene> scene = read_scene(file);
-    if (!scene.ok()) return scene.error();
-    const Result<Trace> session = trace(scene->scene);
-    if (!session.ok()) return bad_input(file.string() + ": " + session.error().message);
-    const std::vector<std::string> features = features_of(*session);
-    corpus.features_.insert(features.begin(), features.end());
-  }
+  const Result<std::vector<TextScene>> scenes = read_scenes(folder, *files);
+  if (!scenes.ok()) return scenes.error();
+  const auto features = features_of_all(folder, *files, *scenes);
+  if (!features.ok()) return features.error();
+  for (const std::vector<std::string>& one : *features) corpus.features_.insert(one.begin(), one.end());
   corpus.files_ = *std::move(files);
   return corpus;
 }
@@ -76,13 +124,13 @@ Result<bool> Corpus::add(const TextScene& scene, const std::vector<std::string>&
 Result<std::size_t> Corpus::merge(const fs::path& other) {
   const Result<std::vector<fs::path>> files = scenes_in(other);
   if (!files.ok()) return files.error();
+  const Result<std::vector<TextScene>> scenes = read_scenes(other, *files);
+  if (!scenes.ok()) return scenes.error();
+  const auto features = features_of_all(other, *files, *scenes);
+  if (!features.ok()) return features.error();
   std::size_t added = 0;
-  for (const fs::path& file : *files) {
-    const Result<TextScene> scene = read_scene(file);
-    if (!scene.ok()) return scene.error();
-    const Result<Trace> session = trace(scene->scene);
-    if (!session.ok()) return bad_input(file.string() + ": " + session.error().message);
-    const Result<bool> fresh = add(*scene, features_of(*session));
+  for (std::size_t k = 0; k < scenes->size(); ++k) {
+    const Result<bool> fresh = add((*scenes)[k], (*features)[k]);
     if (!fresh.ok()) return fresh.error();
     if (*fresh) ++added;
   }
@@ -90,23 +138,25 @@ Result<std::size_t> Corpus::merge(const fs::path& other) {
 }
 
 Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& question, const process::PoolOptions& pool) {
+  if (Status ok = check_question(question); !ok.ok()) return ok.error();
   const Result<std::vector<fs::path>> files = scenes_in(folder);
   if (!files.ok()) return files.error();
   if (files->empty()) return bad_input(folder.string() + ": found no scene, wanted files NAME.toml");
-  std::vector<TextScene> scenes;
-  for (const fs::path& file : *files) {
-    Result<TextScene> scene = read_scene(file);
-    if (!scene.ok()) return scene.error();
-    scenes.push_back(*std::move(scene));
-  }
+  const Result<std::vector<TextScene>> read = read_scenes(folder, *files);
+  if (!read.ok()) return read.error();
+  const std::vector<TextScene>& scenes = *read;
+  const golden::TemporaryFolder scratch("tumble-hunt");  // goes with this process, however those end that judge
+  Question asked = question;
+  asked.scratch = scratch.path();
   CorpusResult out;
   out.scenes = scenes.size();
   for (const std::string& name : names_of(question)) out.relations.emplace_back(name, Tally{});
   std::map<std::size_t, process::JobResult> done;
   const bool all = process::run_jobs(
-      scenes.size(), [&](std::size_t k) { return judgements_text(judge_scene(question, scenes[k])); },
+      scenes.size(), [&](std::size_t k) { return judgements_text(judge_scene(asked, scenes[k])); },
       [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool);
   if (!all) return cannot_finish("interrupted: " + std::to_string(done.size()) + " scenes were judged");
+  std::vector<Error> problems;
   for (const auto& [k, result] : done) {
     const std::string file = (*files)[k].string();
     if (!result.failure.empty()) {
@@ -115,18 +165,29 @@ Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& questi
     }
     Result<Judged> judged = judgements_from(result.output);
     if (!judged.ok()) return judged.error();
-    if (!judged->problem.empty()) return bad_input(file + ": " + judged->problem);
+    if (judged->refused) {
+      if (out.refused++ == 0) out.refusal = file + ": " + judged->problem;
+      continue;
+    }
+    if (!judged->problem.empty()) problems.push_back(bad_input(file + ": " + judged->problem));
     for (std::size_t i = 0; i < judged->judgements.size(); ++i) {
       const Judgement& one = judged->judgements[i].second;
       out.relations[i].second.count(one, k);
       if (one.outcome == Outcome::kBroken) out.broken.push_back({file, judged->judgements[i].first, one});
     }
   }
+  if (!problems.empty()) return unusable(folder, files->size(), problems);
   return out;
 }
 
+bool nothing_judged(const CorpusResult& result) {
+  const auto judged = [](const auto& row) { return row.second.held + row.second.broken > 0; };
+  return result.broken.empty() && std::ranges::none_of(result.relations, judged);
+}
+
 Json to_json(const CorpusResult& result) {
-  Json json = {{"scenes", result.scenes}, {"relations", Json::object()}, {"broken", Json::array()}};
+  Json json = {
+      {"scenes", result.scenes}, {"refused", result.refused}, {"relations", Json::object()}, {"broken", Json::array()}};
   for (const auto& [name, tally] : result.relations) json["relations"][name] = to_json(tally);
   for (const CorpusResult::Broken& one : result.broken) {
     json["broken"].push_back({{"file", one.file}, {"relation", one.relation}, {"found", to_json(one.judgement)}});

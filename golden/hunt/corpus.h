@@ -18,8 +18,8 @@ namespace tumble::hunt {
 /// come from the content, so two corpora are merged by adding the scenes of one to the other.
 class Corpus {
  public:
-  /// Reads and runs every scene of a folder; one that is missing is an empty corpus. Errors (kBadInput): a file that is
-  /// no scene.
+  /// Reads and runs every scene of a folder; one that is missing is an empty corpus. Errors: every file that is
+  /// no scene, kDamaged where one was cut or changed since it got its name.
   static Result<Corpus> open(const std::filesystem::path& folder);
 
   /// Adds a scene that does something new, and writes its file at once. Returns whether it did. Errors: the disk.
@@ -42,6 +42,8 @@ class Corpus {
 /// The scenes of a folder judged, one a process.
 struct CorpusResult {
   std::size_t scenes = 0;
+  std::size_t refused = 0;  ///< by the engine
+  std::string refusal;      ///< the first
   std::vector<std::pair<std::string, Tally>> relations;
   struct Broken {
     std::string file, relation;
@@ -49,9 +51,12 @@ struct CorpusResult {
   };
   std::vector<Broken> broken;  ///< by file
 };
-/// Errors (kBadInput): no such folder, a file that is no scene, a folder without scenes; kCannotFinish: cancelled.
+/// Errors (kBadInput): no such folder, a folder without scenes; open()'s; kCannotFinish: cancelled.
 Result<CorpusResult> judge_corpus(const std::filesystem::path& folder, const Question& question,
                                   const process::PoolOptions& pool);
 Json to_json(const CorpusResult& result);
+
+/// Whether no scene was judged by any relation.
+bool nothing_judged(const CorpusResult& result);
 
 }  // namespace tumble::hunt

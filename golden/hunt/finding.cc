@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <tuple>
 
 #include "src/base/text.h"
@@ -54,6 +55,8 @@ Json to_json(const Finding& finding) {
   return json;
 }
 
+std::string whole_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 Judgement judgement_from(const Json& json) {
   Judgement out;
   out.outcome = Outcome::kBroken;
@@ -97,13 +100,43 @@ std::string describe(const Judgement& judgement) {
   return text;
 }
 
+namespace {
+
+// The metrics that measure what a law bounds.
+struct LawMetric {
+  std::string_view law;
+  const char* metric;
+};
+constexpr LawMetric kLawMetrics[] = {{"energy", "gain_max"},
+                                     {"overlap", "overlap_peak"},
+                                     {"overlap", "ground_penetration_peak"},
+                                     {"standing", "drift_max"}};
+
+// Rules by which the case fails until what was found is mended; a comment where no metric measures it.
+std::string rules_of_law(const std::string& law, double bound) {
+  std::string text;
+  for (const LawMetric& one : kLawMetrics) {
+    if (one.law != law || !(bound > 0) || !std::isfinite(bound)) continue;
+    text += std::string("\n[[metric]]\nname = \"") + one.metric + "\"\nmax = " + Json(bound).dump() +
+            "\nwhy = \"the bound of the law '" + law + "' in this scene; bless refuses what is beyond it\"\n";
+  }
+  if (!text.empty()) return text;
+  return "# No metric measures this: a golden that is blessed before it is mended accepts it. `tumble hunt --judge "
+         "FOLDER\n"
+         "# --relation " +
+         law + "` judges the scene itself.\n";
+}
+
+}  // namespace
+
 std::string case_rules(const Finding& finding) {
   const Judgement& found = finding.shrunk() ? finding.shrunk_judgement : finding.judgement;
   std::string what;
   for (const char c : printable(describe(found))) what += c == '"' || c == '\\' ? '\'' : c;
   return "# Found by `tumble hunt`: seed " + std::to_string(finding.seed) + ", scene " +
-         std::to_string(finding.number) + "; broke \"" + finding.relation + "\".\n# " + what +
-         "\n\n[[metric]]\nname = \"lost\"\nmax = 0.0\nwhy = \"nothing falls through the ground or through another "
+         std::to_string(finding.number) + "; broke \"" + finding.relation + "\".\n# " + what + "\n" +
+         rules_of_law(finding.relation, found.bound) +
+         "\n[[metric]]\nname = \"lost\"\nmax = 0.0\nwhy = \"nothing falls through the ground or through another "
          "body\"\n";
 }
 

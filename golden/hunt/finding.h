@@ -47,6 +47,8 @@ Json to_json(const Judgement& judgement);
 /// Of a broken relation. Throws Json::exception where a key is missing.
 Judgement judgement_from(const Json& json);
 Json to_json(const Finding& finding);
+/// The JSON of what an engine may have said: bytes that are no text become U+FFFD.
+std::string whole_text(const Json& json);
 /// Throws Json::exception where a key is missing.
 Finding finding_from(const Json& json);
 

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
+#include "golden/bundle/sealed_text.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
 
 namespace tumble::hunt {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 HuntState state_from(const Json& json) {
   HuntState state;
@@ -24,14 +26,32 @@ HuntState state_from(const Json& json) {
   state.claimed = json.value("claimed", std::vector<std::string>{});
   state.ended = json.value("ended", false);
   state.merged = json.value("merged", std::uint64_t{0});
+  if (!json.at("count").is_null()) state.count = json.at("count").get<std::uint64_t>();
   state.next = json.at("scenes");
   state.no_scenes = json.at("no_scenes");
+  state.refused = json.at("refused");
+  state.refusal = json.value("refusal", "");
   for (const auto& [name, row] : json.at("relations").items()) {
     state.relations.emplace_back(name, Tally{row.at("held"), row.at("broken"), row.at("not_applicable"),
                                              row.at("nearest"), row.at("nearest_number")});
   }
   for (const Json& one : json.at("findings")) state.findings.push_back(finding_from(one));
   return state;
+}
+
+// A hash finds damage; counts that contradict each other were written by no hunt.
+std::string fault_of_counts(const HuntState& state) {
+  if (state.no_scenes + state.refused > state.next) return "it counts more scenes without a session than scenes";
+  const std::uint64_t judged = state.next - state.no_scenes - state.refused;
+  for (const auto& [name, tally] : state.relations) {
+    const std::uint64_t sum = tally.held + tally.broken + tally.not_applicable;
+    if (sum != judged) return found_wanted(std::to_string(sum) + " scenes by " + name, std::to_string(judged));
+    const auto listed = std::ranges::count(state.findings, name, &Finding::relation);
+    if (static_cast<std::uint64_t>(listed) == tally.broken) continue;
+    return "it counts " + std::to_string(tally.broken) + " scenes that broke " + name + " and lists " +
+           std::to_string(listed);
+  }
+  return "";
 }
 
 }  // namespace
@@ -75,8 +95,11 @@ Json to_json(const HuntState& state) {
                {"shards", state.share.shards},
                {"ended", state.ended},
                {"merged", state.merged},
+               {"count", state.count ? Json(*state.count) : Json()},
                {"scenes", state.next},
-               {"no_scenes", state.no_scenes}};
+               {"no_scenes", state.no_scenes},
+               {"refused", state.refused}};
+  if (state.refused > 0) json["refusal"] = state.refusal;
   if (!state.engine.empty()) {
     json["engine"] = state.engine;
     json["claimed"] = state.claimed;
@@ -91,6 +114,16 @@ Json to_json(const HuntState& state) {
     for (const Finding& one : state.beyond.findings) json["beyond"]["findings"].push_back(to_json(one));
   }
   return json;
+}
+
+bool nothing_judged(const HuntState& state) {
+  return std::ranges::none_of(state.relations, [&state](const auto& row) {
+    const auto& [name, tally] = row;
+    const bool asked = state.claimed.empty() || std::ranges::find(state.claimed, name) != state.claimed.end();
+    // An engine that fails in every scene breaks `finishes`, and no session of it was judged.
+    const bool told = tally.broken > 0 && (state.engine.empty() || name != "finishes" || !state.claimed.empty());
+    return asked && (tally.held > 0 || told);
+  });
 }
 
 Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where) {
@@ -131,14 +164,14 @@ Result<HuntState> Folder::load() const {
   const Json json = Json::parse(*text, nullptr, false);
   try {
     if (json.is_discarded()) return damaged("it is no JSON");
-    if (json.at("format") != kFormat) return bad_input(file.string() + ": no hunt of this version");
-    HuntState state = state_from(json);
-    for (const auto& [name, tally] : state.relations) {
-      if (tally.broken == 0 || std::ranges::find(state.findings, name, &Finding::relation) != state.findings.end())
-        continue;
-      return damaged("it counts scenes that broke " + name + " and lists none");
+    if (const Json& format = json.at("format"); format != kFormat) {
+      return bad_input(file.string() + ": found format " + format.dump() + ", wanted " + std::to_string(kFormat) +
+                       "; go on with the program that wrote it, or give another --folder");
     }
-    return state;
+    if (const std::string fault = golden::fault_of_seal(*text); !fault.empty()) return damaged(fault);
+    HuntState state = state_from(json);
+    const std::string fault = fault_of_counts(state);
+    return fault.empty() ? Result<HuntState>(std::move(state)) : damaged(fault);
   } catch (const Json::exception& problem) {
     return damaged(problem.what());
   }
@@ -169,7 +202,8 @@ Status Folder::write(const Finding& finding, const std::string& drawn) const {
 }
 
 Status Folder::save(const HuntState& state) const {
-  return golden::write_file(path_ / kStateFile, to_json(state).dump(1) + "\n");
+  const std::string text = to_json(state).dump(1, ' ', false, Json::error_handler_t::replace);
+  return golden::write_file(path_ / kStateFile, std::string_view(golden::sealed(text)));
 }
 
 }  // namespace tumble::hunt

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,13 +44,16 @@ struct HuntState {
   std::uint32_t grammar = 0;
   std::string program;  ///< version and commit
   std::string against;
-  std::string engine;                ///< the command of the engine; empty: this program is judged
-  std::string engine_hash;           ///< of the engine's files, or of those of `against`; empty: neither is asked
-  std::vector<std::string> claimed;  ///< relations that the engine claims
-  bool ended = false;                ///< it came to its --count or --time
-  std::uint64_t merged = 0;          ///< number of shards that it was merged of; 0: it was run, and can go on
+  std::string engine;                  ///< the command of the engine; empty: this program is judged
+  std::string engine_hash;             ///< of the engine's files, or of those of `against`; empty: neither is asked
+  std::vector<std::string> claimed;    ///< relations that the engine claims
+  bool ended = false;                  ///< it came to its --count or --time
+  std::optional<std::uint64_t> count;  ///< of scenes of all shards, by which it is to end; none: by time alone
+  std::uint64_t merged = 0;            ///< number of shards that it was merged of; 0: it was run, and can go on
   std::uint64_t next = 0;
   std::uint64_t no_scenes = 0;                           ///< drawn scenes that no world can be made of
+  std::uint64_t refused = 0;                             ///< scenes that the engine refused
+  std::string refusal;                                   ///< the first of them, and the engine's words
   std::vector<std::pair<std::string, Tally>> relations;  ///< in the order in which they are judged
   std::vector<Finding> findings;                         ///< by number, then by relation's order
   Beyond beyond;                                         ///< of this run; no kept hunt has it
@@ -57,11 +61,16 @@ struct HuntState {
 
 Json to_json(const HuntState& state);
 
+/// Whether no session was judged by anything that is asked: no scene was there, the engine refused or failed all, or no
+/// relation could be asked. Of an engine with claims only these count.
+bool nothing_judged(const HuntState& state);
+
 /// The first way in which a kept hunt is not the one that is wanted, as an error (kBadInput). where: for its message.
 Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where);
 
-/// The file of a folder that holds the state.
+/// The file of a folder that holds the state, and the one that is locked while a hunt works there.
 inline constexpr const char* kStateFile = "hunt.json";
+inline constexpr const char* kLockFile = "hunt.lock";
 
 /// A folder that keeps a hunt:
 ///
@@ -69,7 +78,8 @@ inline constexpr const char* kStateFile = "hunt.json";
 ///     findings/NAME.toml     the scene as it was drawn
 ///     cases/NAME/scene.toml  the shrunk scene, and metrics.toml: a case ready for `tumble bless --suite FOLDER`
 ///
-/// Errors (kBadInput): a folder that holds another hunt, or a file that cannot be read; kCannotFinish: the disk.
+/// hunt.json ends with a hash of its text. Errors (kBadInput): a folder that holds another hunt, or a file that cannot
+/// be read; kDamaged: a hunt.json that save() did not write; kCannotFinish: the disk.
 class Folder {
  public:
   explicit Folder(std::filesystem::path path) : path_(std::move(path)) {}

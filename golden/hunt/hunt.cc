@@ -10,8 +10,8 @@
 #include "golden/hunt/batch.h"
 #include "golden/hunt/corpus.h"
 #include "golden/hunt/scene/grammar.h"
-#include "src/base/check.h"
-#include "src/base/text.h"
+#include "golden/suite/temporary_folder.h"
+#include "src/files/file_lock.h"
 #include "tumble/golden/provenance.h"
 
 namespace tumble::hunt {
@@ -19,14 +19,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kScenesABatch = 10;
+// A round begins with two scenes a batch, and grows while it is short: what a hunt that is killed loses is bounded in
+// time.
+constexpr std::uint64_t kScenesABatchMost = 10;
 constexpr std::uint64_t kBatchesARound = 8;
+constexpr double kRoundShort = 2, kRoundLong = 20;  // s
 // s of processor time: many times what ten scenes, one scene and the shrinking of one take in a slow build. On a busy
 // machine they may take kStretch times as long.
 constexpr unsigned kBatchPatience = 120, kScenePatience = 60, kShrinkPatience = 600;
 constexpr double kStretch = 20;
 constexpr double kUsualSeconds = 60;
 constexpr double kLateMost = 60;  // s after the time, at which a scene that was begun is given up
+
+template <class Sum>
+void add_refused(std::uint64_t refused, const std::string& refusal, Sum& sum) {
+  sum.refused += refused;
+  if (sum.refusal.empty()) sum.refusal = refusal;
+}
 
 class Hunt {
  public:
@@ -42,14 +51,19 @@ class Hunt {
   }
 
   Result<HuntState> run() {
+    // A smaller --count than the scenes that are judged takes none of them back.
+    if (!last() || state_.next <= *last()) state_.count = options_.count;
+    if (Status ok = save(); !ok.ok()) return ok.error();
     while (!over()) {
-      const std::uint64_t left = last() ? *last() - state_.next : kScenesABatch * kBatchesARound;
-      if (Status ok = round(std::min(left, kScenesABatch * kBatchesARound)); !ok.ok()) return ok.error();
+      const auto begin = Clock::now();
+      const std::uint64_t most = a_batch_ * kBatchesARound, left = last() ? *last() - state_.next : most;
+      if (Status ok = round(std::min(left, most)); !ok.ok()) return ok.error();
+      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      if (seconds < kRoundShort) a_batch_ = std::min(2 * a_batch_, kScenesABatchMost);
+      if (seconds > kRoundLong) a_batch_ = std::max<std::uint64_t>(a_batch_ / 2, 1);
     }
     state_.ended = !cancelled();
-    if (!options_.folder.empty()) {
-      if (Status ok = folder_.save(state_); !ok.ok()) return ok.error();
-    }
+    if (Status ok = save(); !ok.ok()) return ok.error();
     return std::move(state_);
   }
 
@@ -77,15 +91,15 @@ class Hunt {
   // batch ends after the scene that it has begun; the first scene is judged even then, so that every hunt gets on.
   Status round(std::uint64_t scenes) {
     const std::uint64_t first = state_.next;
-    const std::uint64_t batches = (scenes + kScenesABatch - 1) / kScenesABatch;
-    const auto size = [&](std::uint64_t k) { return std::min(kScenesABatch, scenes - k * kScenesABatch); };
+    const std::uint64_t batches = (scenes + a_batch_ - 1) / a_batch_;
+    const auto size = [&](std::uint64_t k) { return std::min(a_batch_, scenes - k * a_batch_); };
     std::map<std::uint64_t, process::JobResult> done;
     process::run_jobs(
         batches,
         [&](std::size_t k) {
           bool at_once = k == 0;
           const auto enough = [&] { return !std::exchange(at_once, false) && late(); };
-          return to_text(judge_batch(options_.question, state_.seed, state_.share, first + k * kScenesABatch, size(k),
+          return to_text(judge_batch(options_.question, state_.seed, state_.share, first + k * a_batch_, size(k),
                                      corpus_.has_value(), enough));
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kBatchPatience, true));
@@ -98,6 +112,7 @@ class Hunt {
       counted = k + 1;
       for (std::size_t i = 0; i < batch->tallies.size(); ++i) state_.relations[i].second.add(batch->tallies[i]);
       state_.no_scenes += batch->no_scenes;
+      add_refused(batch->refused, batch->refusal, state_);
       state_.next += batch->scenes;
       for (Finding& one : batch->findings) fresh.push_back(std::move(one));
       if (Status ok = grow(*batch); !ok.ok()) return ok;
@@ -155,6 +170,7 @@ class Hunt {
       if (!one.ok()) return one.error();
       for (std::size_t i = 0; i < one->tallies.size(); ++i) sum.tallies[i].add(one->tallies[i]);
       sum.no_scenes += one->no_scenes;
+      add_refused(one->refused, one->refusal, sum);
       for (Finding& finding : one->findings) sum.findings.push_back(std::move(finding));
     }
     return sum;
@@ -183,21 +199,24 @@ class Hunt {
     process::run_jobs(
         chosen.size(),
         [&](std::size_t k) {
-          return to_json(shrink_finding(options_.question, fresh[chosen[k]], options_.tries_most)).dump();
+          const auto enough = [this] { return late(); };
+          return whole_text(to_json(shrink_finding(options_.question, fresh[chosen[k]], options_.tries_most, enough)));
         },
         [&](std::size_t k, const process::JobResult& result) {
           if (!result.failure.empty()) return;
           const Json json = Json::parse(result.output, nullptr, false);
           if (!json.is_discarded()) fresh[chosen[k]] = finding_from(json);
         },
-        pool(kShrinkPatience, false));
+        pool(kShrinkPatience, true));
     for (Finding& one : fresh) {
       if (Status ok = write(one); !ok.ok()) return ok;
       if (options_.found) options_.found(one);
       state_.findings.push_back(std::move(one));
     }
-    return options_.folder.empty() ? Status{} : folder_.save(state_);
+    return save();
   }
+
+  [[nodiscard]] Status save() const { return options_.folder.empty() ? Status{} : folder_.save(state_); }
 
   Status write(const Finding& finding) {
     if (options_.folder.empty()) return {};
@@ -210,31 +229,15 @@ class Hunt {
   Folder folder_;
   std::optional<Corpus> corpus_;
   Clock::time_point begin_;
+  std::uint64_t a_batch_ = 2;  // scenes
   std::map<std::pair<std::string, std::string>, std::uint64_t> shrunk_;
 };
 
-Status check_relations(const Question& question) {
-  std::vector<std::string_view> known;
-  for (const Relation& one : relations()) known.emplace_back(one.name);
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const std::string& name : question.only) names.emplace_back("--relation", name);
-  if (question.engine) {
-    for (const auto& [name, claimed] : question.engine->claims)
-      names.emplace_back(question.engine->file.string() + ": [engine.claims]", name);
-  }
-  for (const auto& [where, name] : names) {
-    if (find_relation(name) != nullptr) continue;
-    const std::string_view nearest = nearest_word(name, known);
-    return bad_input(where + ": found " + in_quotes(name) + ", wanted " + list_text(known) +
-                     (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
-  }
-  return {};
-}
-
 }  // namespace
 
-Result<HuntState> hunt_scenes(const HuntOptions& options) {
-  if (Status ok = check_relations(options.question); !ok.ok()) return ok.error();
+Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
+  HuntOptions options = chosen;
+  if (Status ok = check_question(options.question); !ok.ok()) return ok.error();
   const golden::Provenance program = golden::this_program();
   HuntState fresh;
   fresh.seed = options.seed;
@@ -259,7 +262,12 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
     if (!opened.ok()) return opened.error();
     corpus = *std::move(opened);
   }
+  std::optional<golden::TemporaryFolder> scratch;  // goes with this process, however those end that judge
+  if (options.question.engine || !fresh.against.empty())
+    options.question.scratch = scratch.emplace("tumble-hunt").path();
   if (options.folder.empty()) return Hunt(options, std::move(fresh), std::move(corpus)).run();
+  const Result<files::FolderLock> lock = files::FolderLock::take(options.folder, kLockFile, "a hunt");
+  if (!lock.ok()) return lock.error();
   Result<HuntState> kept = Folder(options.folder).open(std::move(fresh));
   if (!kept.ok()) return kept.error();
   return Hunt(options, *std::move(kept), std::move(corpus)).run();

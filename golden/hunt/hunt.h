@@ -30,7 +30,8 @@ struct HuntOptions {
 
 /// Judges random scenes in child processes, so that a scene that ends or hangs the program is a finding like others.
 /// Which scenes break what depends on the seed alone, and on no number of jobs. A hunt that is cancelled or out of time
-/// keeps a whole number of scenes without a gap. Errors: the folder's; kBadInput: a relation that there is not.
+/// keeps a whole number of scenes without a gap. Where there is a time, shrinking ends with it, and keeps what it has
+/// reached. Errors: the folder's; kBadInput: a question that cannot be asked, a folder in which another process hunts.
 Result<HuntState> hunt_scenes(const HuntOptions& options);
 
 /// Whether none of the findings breaks a relation that was claimed: all are, of this program. That a scene ends this

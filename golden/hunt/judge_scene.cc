@@ -1,7 +1,10 @@
 #include "golden/hunt/judge_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "golden/hunt/engine/engine_relations.h"
 #include "golden/hunt/engine/trace_engine.h"
@@ -10,8 +13,10 @@
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
 #include "src/base/check.h"
+#include "src/base/text.h"
 #include "src/process/run_child.h"
 #include "tumble/replay/log_reader.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::hunt {
 namespace {
@@ -44,16 +49,18 @@ Judgement compare_log(const Trace& trace, replay::LogReader& log) {
 }
 
 // Records the scene with another build, in a folder of its own, and compares each state.
-Judgement judge_against(const std::string& program, const Trace& trace, const TextScene& scene) {
-  const golden::TemporaryFolder folder("tumble-hunt");
+Judgement judge_against(const Question& question, const Trace& trace, const TextScene& scene) {
+  const golden::TemporaryFolder folder("scene", question.scratch);
   if (folder.path().empty()) return not_applicable("no temporary folder could be made");
   const std::filesystem::path toml = folder.path() / "scene.toml", log = folder.path() / "s.tumble";
   const std::filesystem::path said = folder.path() / "said";
   if (const Status ok = golden::write_file(toml, scene.text); !ok.ok()) return not_applicable(ok.error().message);
   process::Program child;
-  child.words = {program, "record", toml.string(), "-o", log.string()};
+  child.words = {question.against, "record", toml.string(), "-o", log.string()};
+  child.own_group = false;  // it ends with the process that judges
   child.out = child.err = said.string();
   const Result<process::ChildEnd> end = process::run_child(child, kPatience);
+  if (end.ok() && end->late) process::end_own_group();
   if (!end.ok()) return not_applicable("the other build does not start: " + end.error().message);
   if (end->exit == 2) return not_applicable("the other build refuses the scene");
   if (!end->well() && end->exit != 4) return broken(0, 0, "the other build " + end->text());
@@ -62,10 +69,67 @@ Judgement judge_against(const std::string& program, const Trace& trace, const Te
   return compare_log(trace, *reader);
 }
 
+bool is_lost(const sim::Bodies& bodies, sim::BodyIndex i) {
+  const sim::Quat& q = bodies.orientation[i];
+  return !bodies.position[i].allFinite() || !bodies.velocity[i].allFinite() || !bodies.spin[i].allFinite() ||
+         !std::isfinite(q.w + q.x + q.y + q.z);
+}
+
+// No law holds of a session with a body that is nowhere, whatever its comparisons came to. `numbers` says so itself.
+Judgement beside_lost(const std::string& law, const Trace& trace, const Judgement& judged) {
+  if (judged.outcome == Outcome::kNotApplicable || law == "finishes" || law == "numbers") return judged;
+  const std::size_t states = law == "start" ? 1 : trace.states.size();
+  for (std::size_t k = 0; k < states; ++k) {
+    const sim::Bodies& bodies = trace.states[k].bodies;
+    for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
+      if (!is_lost(bodies, i)) continue;
+      const bool earlier = judged.outcome == Outcome::kBroken && judged.step < k;
+      return earlier ? judged : broken(k, bodies.id[i], "a value of the body is no number");
+    }
+  }
+  return judged;
+}
+
+// Compares parts of Tumble with one another.
+bool is_tumbles_own(std::string_view relation) {
+  static constexpr std::array kOwn = {"threads", "lanes", "resumed", "replayed"};
+  return std::ranges::find(kOwn, relation) != kOwn.end();
+}
+
 }  // namespace
 
+Status check_question(const Question& question) {
+  std::vector<std::string_view> known;
+  for (const Relation& one : relations()) known.emplace_back(one.name);
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string& name : question.only) names.emplace_back("--relation", name);
+  if (question.engine) {
+    const std::string file = question.engine->file.string();
+    if (question.engine->run.find("{scene}") == std::string::npos) {
+      return bad_input(file + ": [engine] run: found no {scene} in " + in_quotes(question.engine->run) +
+                       ", wanted it where the file of a hunt's scene goes");
+    }
+    for (const auto& [name, claimed] : question.engine->claims) {
+      const auto place = question.engine->claim_places.find(name);
+      const bool is_known = place != question.engine->claim_places.end();
+      names.emplace_back(file + (is_known ? ":" + place->second : "") + ": [engine.claims]", name);
+    }
+  }
+  for (const auto& [where, name] : names) {
+    if (question.engine && is_tumbles_own(name)) {
+      return bad_input(where + ": found " + in_quotes(name) +
+                       ", which compares parts of Tumble, wanted a relation or law of an engine; leave it out");
+    }
+    if (find_relation(name) != nullptr) continue;
+    const std::string_view nearest = nearest_word(name, known);
+    return bad_input(where + ": found " + in_quotes(name) + ", wanted " + list_text(known) +
+                     (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
+  }
+  return {};
+}
+
 Result<Trace> trace_of(const Question& question, const sim::SceneDef& scene) {
-  return question.engine ? trace_engine(*question.engine, scene) : trace(scene);
+  return question.engine ? trace_engine(*question.engine, scene, question.scratch) : trace(scene);
 }
 
 bool is_claimed(const Question& question, const std::string& relation) {
@@ -88,10 +152,12 @@ std::vector<std::string> names_of(const Question& question) {
 
 Judgement judge(const Question& question, const std::string& relation, const Trace& trace, const TextScene& scene) {
   if (!trace.failure.empty() && relation != "finishes") return not_applicable("the session ends early");
-  if (relation == kAgainst) return judge_against(question.against, trace, scene);
+  if (relation == kAgainst) return judge_against(question, trace, scene);
   const Relation* known = find_relation(relation);
   SIM_CHECK(known != nullptr, std::string_view(relation));
-  return question.engine && !known->is_law ? judge_engine(relation, trace) : known->judge(trace);
+  if (question.engine && !known->is_law) return judge_engine(relation, trace);
+  const Judgement judged = known->judge(trace);
+  return known->is_law && trace.external ? beside_lost(relation, trace, judged) : judged;
 }
 
 Judged judge_scene(const Question& question, const TextScene& scene) {
@@ -105,6 +171,8 @@ Judged judge_scene(const Question& question, const TextScene& scene) {
   Result<Trace> session = run(scene.scene);
   if (!session.ok()) {
     out.problem = session.error().message;
+    out.refused =
+        question.engine && session.error().kind == ErrorKind::kBadInput && sim::create_world(scene.scene).ok();
     return out;
   }
   session->again = run;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,10 +18,15 @@ struct Question {
   std::vector<std::string> only;  ///< names of relations; empty: all
   std::string against;            ///< another build of tumble, whose sessions must have the same bits; empty: none
   std::optional<golden::EngineProject> engine;  ///< whose sessions are judged; none: those of this program
+  std::filesystem::path scratch;  ///< where other programs get folders of their own; empty: the system's place
 };
 
 /// The name of the relation that `against` adds.
 inline constexpr const char* kAgainst = "against";
+
+/// Errors (kBadInput): a name that no relation has, or one that says nothing about an engine; an engine that is handed
+/// no scene.
+Status check_question(const Question& question);
 
 /// The session of a scene, of the question's engine. Errors: the scene is none, or the engine refuses it.
 Result<Trace> trace_of(const Question& question, const sim::SceneDef& scene);
@@ -36,8 +42,9 @@ Judgement judge(const Question& question, const std::string& relation, const Tra
 
 /// All judgements on a scene.
 struct Judged {
-  std::string problem;  ///< why the scene is none; empty: it was judged
-  std::string unable;   ///< why the engine could not be run; empty: it was. No judgement counts then
+  std::string problem;   ///< why the scene is none, or the engine refuses it; empty: it was judged
+  bool refused = false;  ///< by the engine
+  std::string unable;    ///< why the engine could not be run; empty: it was. No judgement counts then
   std::vector<std::pair<std::string, Judgement>> judgements;
   std::vector<std::string> features;  ///< features_of()
 };

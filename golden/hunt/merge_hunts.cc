@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/base/text.h"
+#include "src/files/file_lock.h"
 
 namespace tumble::hunt {
 namespace {
@@ -22,6 +23,16 @@ std::string shard_text(const Share& share) {
   return "shard " + std::to_string(share.shard) + " of " + std::to_string(share.shards);
 }
 
+/// Why a shard cannot be a part of a whole hunt; empty: it can. Its end is that of its --count: what a time ends has
+/// other scenes on another day.
+std::string fault_of_end(const HuntState& state) {
+  if (!state.count) return "was ended by --time alone, wanted the --count of all shards; run it again with --count";
+  const std::uint64_t wanted = state.share.of(*state.count);
+  if (state.ended && state.next == wanted) return "";
+  return "is not at its end: " + std::to_string(state.next) + " scenes of " + std::to_string(wanted) +
+         " are judged; run that shard again, it goes on from there";
+}
+
 /// The hunts by shard. A folder that cannot be used is a line of `problems`.
 std::map<std::uint64_t, Part> by_shard(const std::vector<fs::path>& folders, std::vector<Error>& problems) {
   std::map<std::uint64_t, Part> parts;
@@ -32,9 +43,8 @@ std::map<std::uint64_t, Part> by_shard(const std::vector<fs::path>& folders, std
       continue;
     }
     const std::string where = folder.string() + ": " + shard_text(state->share);
-    if (!state->ended) {
-      problems.push_back(bad_input(where + ": is not at its end: " + std::to_string(state->next) +
-                                   " scenes are judged; run that shard again, it goes on from there"));
+    if (const std::string fault = fault_of_end(*state); !fault.empty()) {
+      problems.push_back(bad_input(where + ": " + fault));
     }
     if (!parts.empty()) {
       HuntState wanted = parts.begin()->second.state;
@@ -42,6 +52,11 @@ std::map<std::uint64_t, Part> by_shard(const std::vector<fs::path>& folders, std
       if (Status same = same_hunt(*state, wanted, where); !same.ok()) {
         problems.push_back(same.error());
         continue;
+      }
+      if (state->count && wanted.count && state->count != wanted.count) {
+        problems.push_back(bad_input(where + ": is of a hunt of another --count: " +
+                                     found_wanted(std::to_string(*state->count), std::to_string(*wanted.count)) +
+                                     "; run all shards with one --count"));
       }
     }
     const auto [at, is_new] = parts.emplace(state->share.shard, Part{folder, *state});
@@ -93,18 +108,23 @@ Status copy_files(const fs::path& from, const fs::path& to) {
 Result<HuntState> merge_hunts(const std::vector<fs::path>& folders, const fs::path& out) {
   std::map<std::uint64_t, Part> parts;
   if (Status ok = all_there(folders, parts); !ok.ok()) return ok.error();
+  const Result<files::FolderLock> lock = files::FolderLock::take(out, kLockFile, "a hunt");
+  if (!lock.ok()) return lock.error();
   std::error_code error;
   if (fs::exists(fs::symlink_status(out / kStateFile, error)))
     return bad_input(out.string() + ": holds a hunt; give another --folder, or remove this one");
   HuntState sum = parts.begin()->second.state;
   sum.share = {};
   sum.merged = parts.size();
-  sum.next = sum.no_scenes = 0;
+  sum.next = sum.no_scenes = sum.refused = 0;
+  sum.refusal.clear();
   sum.findings.clear();
   for (auto& [name, tally] : sum.relations) tally = {};
   for (const auto& [k, part] : parts) {
     sum.next += part.state.next;
     sum.no_scenes += part.state.no_scenes;
+    sum.refused += part.state.refused;
+    if (sum.refusal.empty()) sum.refusal = part.state.refusal;
     for (std::size_t i = 0; i < sum.relations.size(); ++i) sum.relations[i].second.add(part.state.relations[i].second);
     sum.findings.insert(sum.findings.end(), part.state.findings.begin(), part.state.findings.end());
     if (Status ok = copy_files(part.folder, out); !ok.ok()) return ok.error();

@@ -1,7 +1,6 @@
 #include "tumble/replay/byte_io.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,12 +9,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
-#include "src/base/text.h"
 #include "src/files/file_identity.h"
+#include "src/files/file_lock.h"
 #include "src/files/output_file.h"
 #include "src/files/part_file.h"
 #include "tumble/replay/prelude.h"
@@ -43,39 +40,10 @@ class File {
   int descriptor_;
 };
 
-/// Locks a log against other writers until the file is closed, at the latest by the end of the process. True where the
-/// file system knows no locks.
-bool lock(int file) {
-  if (::flock(file, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
-  // A second lock, which excludes nobody, holds the number of this process for locked().
-  struct flock owner = {};
-  owner.l_type = F_WRLCK;
-  owner.l_whence = SEEK_SET;
-  static_cast<void>(::fcntl(file, F_SETLK, &owner));
-  return true;
-}
-
-/// "tumble record tower -o x.tumble": a process's command line; empty where the system does not show it.
-std::string command_of(pid_t process) {
-  constexpr std::size_t kTextMax = 200;
-  std::ifstream file("/proc/" + std::to_string(process) + "/cmdline", std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  while (!text.empty() && text.back() == '\0') text.pop_back();
-  std::ranges::replace(text, '\0', ' ');
-  if (text.size() > kTextMax) text = text.substr(0, kTextMax) + "…";
-  return printable(text);
-}
-
 /// The error for a log that another writer has locked.
 Status locked(const std::string& path, int file) {
-  struct flock owner = {};
-  owner.l_type = F_WRLCK;
-  owner.l_whence = SEEK_SET;
-  std::string who = "another recorder";
-  if (::fcntl(file, F_GETLK, &owner) == 0 && owner.l_type != F_UNLCK && owner.l_pid > 0) {
-    const std::string command = command_of(owner.l_pid);
-    who = "process " + std::to_string(owner.l_pid) + (command.empty() ? "" : " (" + command + ")");
-  }
+  const std::string holder = files::holder_of(file);
+  const std::string who = holder.empty() ? "another recorder" : holder;
   return bad_input(path + ": is being written by " + who + "; wait until it ends, or name another file");
 }
 
@@ -145,7 +113,7 @@ Status may_replace(const std::string& path) {
   if (S_ISDIR(info.st_mode)) return bad_input(path + ": is a folder; name a file to write the log to");
   if (!S_ISREG(info.st_mode)) return {};
   const File file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (file.ok() && !lock(file.get())) return locked(path, file.get());
+  if (file.ok() && !files::lock(file.get())) return locked(path, file.get());
   if (info.st_size == 0) return {};
   std::array<std::byte, kPreludeBytes> start = {};
   const ssize_t got = file.ok() ? ::pread(file.get(), start.data(), start.size(), 0) : 0;
@@ -176,7 +144,7 @@ Result<File> replaced(File old, const std::string& path, mode_t mode) {
     return old;
   }
   static_cast<void>(::fchmod(fresh.get(), mode));
-  if (lock(fresh.get()) && std::rename(part.c_str(), place.c_str()) == 0) return fresh;
+  if (files::lock(fresh.get()) && std::rename(part.c_str(), place.c_str()) == 0) return fresh;
   const std::string why = reason();
   ::unlink(part.c_str());
   return cannot_finish(path + ": cannot be replaced: " + why);
@@ -191,7 +159,7 @@ Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
   if (!file.ok()) return files::cannot_open(path, errno);
   struct stat info = {};
   if (::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode)) {
-    if (!lock(file.get())) return locked(path, file.get()).error();
+    if (!files::lock(file.get())) return locked(path, file.get()).error();
     if (files::identity_of(path) != files::FileIdentity{info.st_dev, info.st_ino}) {
       return bad_input(path + ": was replaced by another process just now; try again, or name another file");
     }

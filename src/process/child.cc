@@ -152,6 +152,15 @@ void signal_group(pid_t child, int number) {
   ::kill(-child, number);
 }
 
+void end_own_group() {
+  if (::getpgrp() != ::getpid()) return;
+  struct sigaction ignore = {}, before = {};
+  ignore.sa_handler = SIG_IGN;
+  ::sigaction(SIGTERM, &ignore, &before);
+  ::kill(0, SIGTERM);
+  ::sigaction(SIGTERM, &before, nullptr);
+}
+
 bool write_all(int file, const char* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t written = ::write(file, bytes, size);

@@ -53,6 +53,10 @@ ChildEnd wait_for_group(pid_t child);
 /// Sends a signal to every process of the group that `child` leads.
 void signal_group(pid_t child, int number);
 
+/// Asks (SIGTERM) every other process of the group that this process leads to end: what a program started that is gone.
+/// No effect where it leads none.
+void end_own_group();
+
 /// Writes everything; false where the reader is gone.
 bool write_all(int file, const char* bytes, std::size_t size);
 

@@ -136,7 +136,9 @@ SAMPLES = {
     "bench": [["scaling", "--budget", "1"], ["table1", "--budget", "1"], ["memory", "--scene", "tower"],
               ["export", "--scene", "grid_3"]],
     "scenes": [[]],
-    "hunt": [["--count", "2", "--relation", "energy", "--folder", "hunt"], ["--relations"]],
+    "hunt": [["--count", "2", "--relation", "energy", "--folder", "hunt"], ["--relations"],
+             ["--judge", str(ROOT / "tests" / "data" / "hunt_known"), "--relation", "energy"],
+             ["--corpus", "sum", "--merge", str(ROOT / "tests" / "data" / "hunt_known")]],
     # The second is closed by Ctrl-C, as a person does; the first closes itself.
     "live": [["small.toml", "-o", "live.tumble", "--size", "160x120", "--measure", "2"],
              ["small.toml", "-o", "by_hand.tumble", "--size", "160x120"], ["--from", "a.tumble:20", "--size", "160x120"]],

@@ -21,7 +21,8 @@ bool tells(const std::string& text, const std::string& part) { return text.find(
 TEST(HuntAnswers, AFolderThatNothingCouldBeAskedOfIsNotWhole) {
   const Workshop shop;
   const Outcome run = shop.run({"hunt", "--judge", kKnownScenes, "--relation", "slope"});
-  EXPECT_TRUE(tells(run.out, "nothing was judged: no relation or law could be asked of any scene")) << run.out;
+  EXPECT_EQ(run.exit, 4);
+  EXPECT_TRUE(tells(run.err, "nothing was judged: no relation or law could be asked of any of ")) << run.err;
   EXPECT_FALSE(tells(run.out, "0 broken")) << run.out;
 }
 
@@ -47,6 +48,31 @@ TEST(HuntAnswers, AShardWithoutScenesSaysSo) {
   const Outcome run = shop.run({"hunt", "--count", "2", "--shard", "5/9"});
   EXPECT_EQ(run.exit, 0) << run.err;
   EXPECT_TRUE(tells(run.out, "nothing was judged: none of 2 scenes is the shard's")) << run.out;
+}
+
+// An engine of which no scene gives a session, and claims that could be asked of none, are no result.
+TEST(HuntAnswers, AHuntThatJudgedNothingEndsSo) {
+  const Workshop shop;
+  const auto expect_nothing = [&shop](const std::string& run, const std::string& claims, const std::string& why) {
+    shop.write("tumble.toml", "[engine]\nshell = true\nrun = '''" + run + "'''\n" + claims);
+    const Outcome hunt = shop.run({"hunt", "--engine", "--count", "3", "--unshrunk"});
+    EXPECT_EQ(hunt.exit, 4) << hunt.out;
+    EXPECT_TRUE(tells(hunt.err, "nothing was judged: " + why)) << hunt.err;
+    EXPECT_FALSE(tells(hunt.out, "no scene broke")) << hunt.out;
+  };
+  expect_nothing("exit 127 # {scene} {log}", "",
+                 "the engine came to the end of no scene that it could be judged by; scene 0: ");
+  expect_nothing("exit 1 # {scene} {log}", "[engine.claims]\nrepeat = true\n",
+                 "the engine came to the end of no scene");
+  expect_nothing("'" TUMBLE_PROGRAM "' record {scene} -o {log} --quiet", "[engine.claims]\nbounce = true\n",
+                 "no scene could be judged by what the engine claims: bounce");
+  const Outcome own = shop.run({"hunt", "--engine", "--count", "1", "--relation", "threads"});
+  EXPECT_EQ(own.exit, 2);
+  EXPECT_TRUE(tells(own.err, "--relation: found \"threads\", which compares parts of Tumble")) << own.err;
+  shop.write("tumble.toml", "[engine]\nrun = 'engine {log}'\n");
+  const Outcome blind = shop.run({"hunt", "--engine", "--count", "1"});
+  EXPECT_EQ(blind.exit, 2);
+  EXPECT_TRUE(tells(blind.err, "[engine] run: found no {scene} in \"engine {log}\"")) << blind.err;
 }
 
 // What --judge and --merge would leave aside is refused.

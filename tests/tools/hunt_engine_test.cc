@@ -38,7 +38,7 @@ TEST(HuntEngine, WhatLiesBehindASceneThatWasNotJudgedIsSaid) {
   const Workshop shop;
   shop.write("tumble.toml", R"([engine]
 shell = true
-run = """grep -q 'hunt_1_0"' {scene} && sleep 6; grep -q 'hunt_1_1[0-9]"' {scene} && exit 1; exit 2 # {log}"""
+run = """grep -q 'hunt_1_0"' {scene} && sleep 6; grep -q 'hunt_1_3"' {scene} && exit 1; exit 2 # {log}"""
 [engine.claims]
 finishes = true
 )");
@@ -48,12 +48,50 @@ finishes = true
   EXPECT_EQ(run.exit, 1) << run.err;
   const Json json = Json::parse(run.out, nullptr, false);
   ASSERT_TRUE(json.is_object() && json.contains("beyond")) << run.out;
-  EXPECT_LT(json.at("scenes"), 10U);
+  EXPECT_LT(json.at("scenes"), 3U);
   EXPECT_EQ(json.at("relations").at("finishes").at("broken"), 0U);
   EXPECT_TRUE(json.at("findings").empty());
   EXPECT_GE(json.at("beyond").at("scenes"), 1U);
   ASSERT_FALSE(json.at("beyond").at("findings").empty());
-  EXPECT_EQ(json.at("beyond").at("findings").at(0).at("number"), 10U);
+  EXPECT_EQ(json.at("beyond").at("findings").at(0).at("number"), 3U);
+}
+
+// Bytes of an engine that are no text belong to its failure, and end no judge.
+TEST(HuntEngine, ThatPrintsNoTextStillFailsItself) {
+  const Workshop shop;
+  shop.write("tumble.toml", R"([engine]
+shell = true
+run = """printf 'bad \\377 byte'; exit 3 # {scene} {log}"""
+[engine.claims]
+finishes = true
+)");
+  const Outcome run = shop.run(
+      {"hunt", "--engine", "--count", "2", "--relation", "finishes", "--folder", "kept", "--threads", "1", "--json"});
+  EXPECT_EQ(run.exit, 1) << run.err;
+  const Json json = Json::parse(run.out, nullptr, false);
+  ASSERT_TRUE(json.is_object() && json.at("findings").size() == 2) << run.out;
+  EXPECT_EQ(json.at("findings").at(0).at("relation"), "finishes");
+  const std::string what = json.at("findings").at(0).at("found").at("what");
+  EXPECT_NE(what.find("ended with status 3; it printed: bad \uFFFD byte"), std::string::npos) << what;
+}
+
+// Each law is asked of a session in which a body is nowhere from step 2 on.
+TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {
+  const Workshop shop;
+  shop.write("e.sh",
+             "#!/bin/sh\n" TUMBLE_PROGRAM " record $1 -o $2.own --quiet || exit 2\n" TUMBLE_PROGRAM
+             " export $2.own -o $2.csv >/dev/null\nawk -F, -v OFS=, '/^#/ { print; next } !c { for (i = 1; i <= "
+             "NF; i++) if ($i == \"position.x\") c = i; print; next } $1 >= 2 { $c = \"nan\" } { print }' "
+             "$2.csv >$2\n");
+  std::filesystem::permissions(shop.path("e.sh"), std::filesystem::perms::owner_all);
+  shop.write("tumble.toml", "[engine]\nrun = \"./e.sh {scene} {log}\"\n");
+  const Outcome run = shop.run({"hunt", "--engine", "--count", "6", "--unshrunk", "--json"});
+  const Json json = Json::parse(run.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << run.err;
+  EXPECT_GT(json.at("relations").at("numbers").at("broken"), 0U) << run.out;
+  for (const char* law : {"energy", "momentum", "cone", "overlap", "unmet", "flight", "standing"})
+    EXPECT_EQ(json.at("relations").at(law).at("held"), 0U) << law;
+  EXPECT_GT(json.at("relations").at("overlap").at("broken"), 0U);
 }
 
 // Nothing is known of an engine that does not run: it refuses no scene and breaks no claim.

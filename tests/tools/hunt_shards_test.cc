@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/bundle/sealed_text.h"
 #include "tests/support/program.h"
 
 namespace tumble::test {
@@ -80,7 +81,8 @@ TEST_F(HuntShards, NameTheShardThatIsLostDoubledForeignOrDamaged) {
   const auto spoiled = [&](const char* key, const Json& value) {
     Json other = state;
     other[key] = value;
-    shop_.write("again/hunt.json", other.dump(1));
+    other.erase("hash");
+    shop_.write("again/hunt.json", golden::sealed(other.dump(1)));
   };
   spoiled("seed", 3);
   expect_refused({"one", "again"}, {"again: shard 2 of 2: holds a hunt of another seed: found 3", "is missing"});
@@ -91,10 +93,35 @@ TEST_F(HuntShards, NameTheShardThatIsLostDoubledForeignOrDamaged) {
   spoiled("shards", 3);
   expect_refused({"one", "again"}, {"again: shard 2 of 3: holds a hunt of another shard"});
   spoiled("ended", false);
-  expect_refused({"one", "again"}, {"again: shard 2 of 2: is not at its end: 7 scenes are judged"});
-  const std::string text = state.dump(1);
+  expect_refused({"one", "again"}, {"again: shard 2 of 2: is not at its end: 7 scenes of 7 are judged"});
+  spoiled("count", 24);
+  expect_refused({"one", "again"}, {"again: shard 2 of 2: is of a hunt of another --count: found 24, wanted 14",
+                                    "again: shard 2 of 2: is not at its end: 7 scenes of 12 are judged"});
+  spoiled("count", nullptr);
+  expect_refused({"one", "again"}, {"again: shard 2 of 2: was ended by --time alone"});
+  spoiled("scenes", 10000);
+  expect_refused({"one", "again"}, {"again/hunt.json: damaged: found 7 scenes by finishes, wanted 10000"}, 3);
+  spoiled("findings", Json::array());
+  expect_refused({"one", "again"}, {"again/hunt.json: damaged: it counts "}, 3);
+  state["scenes"] = 8;  // without a new hash
+  const std::string text = state.dump(1) + '\n';
+  shop_.write("again/hunt.json", text);
+  expect_refused({"one", "again"}, {"again/hunt.json: damaged: its text has the hash "}, 3);
   shop_.write("again/hunt.json", text.substr(0, text.size() / 2));
   expect_refused({"one", "again"}, {"again/hunt.json: damaged", "shard 2 of 2: is missing"}, 3);
+}
+
+// Each is at its own end; together they are no hunt.
+TEST_F(HuntShards, OfUnequalLengthAreNoHunt) {
+  ASSERT_EQ(hunt("one", {"--shard", "1/2"}).exit, 1);
+  const Outcome longer = shop_.run({"hunt", "--seed", "2", "--count", "24", "--relation", "finishes", "--against",
+                                    shop_.path("other.sh"), "--unshrunk", "--folder", "two", "--shard", "2/2"});
+  ASSERT_EQ(longer.exit, 1) << longer.err;
+  expect_refused({"one", "two"}, {"two: shard 2 of 2: is of a hunt of another --count: found 24, wanted 14"});
+  const Outcome timed = shop_.run({"hunt", "--seed", "2", "--time", "0.1", "--relation", "finishes", "--against",
+                                   shop_.path("other.sh"), "--unshrunk", "--folder", "timed", "--shard", "2/2"});
+  ASSERT_LT(timed.exit, 2) << timed.err;
+  expect_refused({"one", "timed"}, {"timed: shard 2 of 2: was ended by --time alone"});
 }
 
 TEST_F(HuntShards, AreNotMergedOverAHuntThatIsThere) {

@@ -233,13 +233,15 @@ TEST(HuntEngine, ShrinksWhatItDoesNotHold) {
 
 TEST(HuntEngine, MayRefuseAScene) {
   const Workshop shop;
-  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'test -e {log} || exit 2'\n");
+  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'test -e {log} || { echo no {scene}; exit 2; }'\n");
   const Outcome run = shop.run({"hunt", "--engine", "--count", "3", "--json"});
-  EXPECT_EQ(run.exit, 0) << run.err;
-  EXPECT_EQ(Json::parse(run.out).at("no_scenes"), 3);
-  EXPECT_TRUE(says(shop.run({"hunt", "--engine", "--count", "3"}).out, "nothing was judged: no relation"));
+  EXPECT_EQ(run.exit, 4) << run.err;
+  EXPECT_EQ(Json::parse(run.out).at("refused"), 3);
+  const Outcome told = shop.run({"hunt", "--engine", "--count", "3"});
+  EXPECT_TRUE(says(told.err, "nothing was judged: the engine refused each of 3 scenes, scene 0: ")) << told.err;
+  EXPECT_TRUE(says(told.err, "it printed: no /")) << told.err;
   // Any other end is a finding.
-  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'exit 5 {log}'\n[engine.claims]\nfinishes = true\n");
+  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'exit 5 {scene} {log}'\n[engine.claims]\nfinishes = true\n");
   const Outcome fails = shop.run({"hunt", "--engine", "--count", "3", "--unshrunk"});
   EXPECT_EQ(fails.exit, 1) << fails.err;
   EXPECT_TRUE(says(fails.out, "status 5")) << fails.out;
@@ -249,7 +251,7 @@ TEST(HuntEngine, MayRefuseAScene) {
 TEST(HuntEngine, ASceneThatEndsTheProgramStaysAFinding) {
   const Workshop shop;
   const std::vector<std::string> words = {"hunt", "--engine", "--count", "2", "--relation", "ids", "--folder", "kept"};
-  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'kill -9 $PPID; : {log}'\n");
+  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'kill -9 $PPID; : {scene} {log}'\n");
   const Outcome run = shop.run(words);
   ASSERT_EQ(run.exit, 1) << run.err << run.out;
   const Json json = Json::parse(shop.read("kept/hunt.json"));

@@ -97,6 +97,7 @@ Result<Exit> judge_folder(const HuntCommand& options) {
   const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how->question, how->pool);
   if (!result.ok()) return result.error();
   options.json ? print_json("hunt", hunt::to_json(*result)) : print_corpus(*result);
+  if (hunt::nothing_judged(*result)) return cannot_finish(nothing_judged_text(*result));
   return result->broken.empty() ? Exit::kSame : Exit::kDifference;
 }
 
@@ -117,13 +118,19 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
   return Exit::kSame;
 }
 
-Exit tell(const HuntCommand& options, const hunt::HuntState& state) {
+// A shard that has no scene of the count is whole without one.
+Result<Exit> tell(const HuntCommand& options, const hunt::HuntState& state) {
   if (options.json) {
     print_json("hunt", hunt::to_json(state));
   } else {
-    print_hunt(state, options.folder, options.count);
+    print_hunt(state, options.folder);
   }
-  return claims_hold(state) ? Exit::kSame : Exit::kDifference;
+  if (!claims_hold(state)) return Exit::kDifference;
+  if (!nothing_judged(state)) return Exit::kSame;
+  const std::string text = nothing_judged_text(state, options.count);
+  if (state.next > 0 || !options.count || state.share.of(*options.count) > 0) return cannot_finish(text);
+  if (!options.json) std::cout << text << '\n';
+  return Exit::kSame;
 }
 
 Result<Exit> merge(const HuntCommand& options) {
@@ -162,7 +169,7 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   const Result<hunt::HuntState> state = hunt::hunt_scenes(how);
   bar.finish();
   if (!state.ok()) return state.error();
-  const Exit exit = tell(options, *state);
+  const Result<Exit> exit = tell(options, *state);
   if (process::InterruptGuard::interrupted())
     return cannot_finish("interrupted: " + std::to_string(state->next) + " scenes are judged" +
                          (options.folder.empty() ? "" : " and kept"));

@@ -56,21 +56,46 @@ void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relat
   table.print();
 }
 
-bool any_held(const std::vector<std::pair<std::string, hunt::Tally>>& relations) {
-  return std::ranges::any_of(relations, [](const auto& row) { return row.second.held > 0; });
+// The claims that no scene could be judged by; empty: each was.
+std::string claims_not_judged(const hunt::HuntState& state) {
+  std::string names;
+  for (const auto& [name, tally] : state.relations) {
+    if (std::ranges::find(state.claimed, name) == state.claimed.end() || tally.held + tally.broken > 0) continue;
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
 }
 
-constexpr const char* kNothingAsked = "nothing was judged: no relation or law could be asked of any scene\n";
-
-std::string no_scene_text(const hunt::HuntState& state, std::optional<std::uint64_t> count) {
-  if (state.merged > 0) return "nothing was judged: the shards hold no scene\n";
-  if (!state.ended) return "nothing was judged: the hunt was interrupted before a scene was judged\n";
-  if (count && state.share.of(*count) == 0)
-    return "nothing was judged: none of " + count_text(*count, "scene") + " is the shard's\n";
-  return "nothing was judged: the time ended before a scene was judged\n";
+std::string why_nothing(const hunt::HuntState& state, std::optional<std::uint64_t> count) {
+  if (state.next == 0) {
+    if (state.merged > 0) return "the shards hold no scene";
+    if (!state.ended) return "the hunt was interrupted before a scene was judged";
+    if (count && state.share.of(*count) == 0) return "none of " + count_text(*count, "scene") + " is the shard's";
+    return "the time ended before a scene was judged";
+  }
+  if (state.refused == state.next)
+    return "the engine refused each of " + count_text(state.next, "scene") + ", " + state.refusal;
+  const auto fails = std::ranges::find(state.findings, "finishes", &hunt::Finding::relation);
+  if (!state.engine.empty() && fails != state.findings.end()) {
+    return "the engine came to the end of no scene that it could be judged by; scene " + std::to_string(fails->number) +
+           ": " + describe(fails->judgement);
+  }
+  if (!state.claimed.empty()) return "no scene could be judged by what the engine claims: " + claims_not_judged(state);
+  return "no relation or law could be asked of any scene";
 }
 
 }  // namespace
+
+std::string nothing_judged_text(const hunt::HuntState& state, std::optional<std::uint64_t> count) {
+  return "nothing was judged: " + printable(why_nothing(state, count));
+}
+
+std::string nothing_judged_text(const hunt::CorpusResult& result) {
+  const std::string all = count_text(result.scenes, "scene");
+  return "nothing was judged: " + printable(result.refused == result.scenes
+                                                ? "the engine refused each of " + all + ", " + result.refusal
+                                                : "no relation or law could be asked of any of " + all);
+}
 
 void print_finding(const hunt::Finding& finding) {
   std::cout << finding.relation << ", scene " << finding.number << " (" << finding.kind
@@ -94,32 +119,30 @@ void print_beyond(const hunt::Beyond& beyond) {
 
 }  // namespace
 
-void print_hunt(const hunt::HuntState& state, const std::string& folder, std::optional<std::uint64_t> count) {
+void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
   if (state.share.shards > 1) std::cout << ", shard " << state.share.shard << " of " << state.share.shards;
   if (!state.against.empty()) std::cout << ", against " << state.against;
   if (!state.engine.empty()) std::cout << ", of the engine `" << printable(state.engine) << '`';
-  if (state.no_scenes > 0) {
-    std::cout << (state.engine.empty() ? "; no world could be made of " : "; the engine refused ") << state.no_scenes;
-  }
+  if (state.no_scenes > 0) std::cout << "; no world could be made of " << state.no_scenes;
+  if (state.refused > 0) std::cout << "; the engine refused " << state.refused << ", " << printable(state.refusal);
   std::cout << "\n\n";
   print_tallies(state.relations, state.engine.empty() ? nullptr : &state.claimed);
   for (const hunt::FindingGroup& group : hunt::grouped(state.findings)) print_group(group, folder);
   print_beyond(state.beyond);
+  if (nothing_judged(state)) return;
+  if (const std::string names = claims_not_judged(state); !names.empty())
+    std::cout << "\nno scene could be judged by these claims: " << names << '\n';
   if (!state.findings.empty() || !state.beyond.findings.empty()) return;
-  std::cout << '\n'
-            << (any_held(state.relations) ? "no scene broke a relation that it was judged by\n"
-                : state.next > 0          ? kNothingAsked
-                                          : no_scene_text(state, count));
+  std::cout << "\nno scene broke a relation that it was judged by\n";
 }
 
 void print_corpus(const hunt::CorpusResult& result) {
   print_tallies(result.relations);
-  if (result.broken.empty() && !any_held(result.relations)) {
-    std::cout << '\n' << count_text(result.scenes, "scene") << "; " << kNothingAsked;
-    return;
-  }
+  if (nothing_judged(result)) return;
   std::cout << '\n' << count_text(result.scenes, "scene") << ", " << result.broken.size() << " broken\n";
+  if (result.refused > 0)
+    std::cout << "the engine refused " << result.refused << ", " << printable(result.refusal) << '\n';
   for (const hunt::CorpusResult::Broken& one : result.broken) {
     std::cout << printable(one.file) << ": " << one.relation << ": " << printable(describe(one.judgement)) << '\n';
   }

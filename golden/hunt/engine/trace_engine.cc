@@ -115,8 +115,8 @@ Trace read_session(replay::LogReader& log, Trace trace, sim::WorldState state) {
 
 }  // namespace
 
-Result<Trace> trace_engine(const golden::EngineProject& project, const sim::SceneDef& scene) {
-  const golden::TemporaryFolder folder("tumble-hunt");
+Result<Trace> trace_engine(const golden::EngineProject& project, const sim::SceneDef& scene, const fs::path& scratch) {
+  const golden::TemporaryFolder folder("scene", scratch);
   if (folder.path().empty()) return cannot_finish("no temporary folder could be made");
   const fs::path toml = folder.path() / "scene.toml", said = folder.path() / "said";
   const golden::RunFiles files = {toml.string(), "", (folder.path() / "session.tumble").string(), ""};
@@ -124,7 +124,7 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
   Trace trace;
   trace.scene = scene;
   trace.external = true;
-  trace.again = [&project](const sim::SceneDef& other) { return trace_engine(project, other); };
+  trace.again = [&project, scratch](const sim::SceneDef& other) { return trace_engine(project, other, scratch); };
   sim::SceneDef by_id = scene;  // the engine gets the bodies in the scene's order
   std::ranges::sort(by_id.boxes, {}, &sim::BoxDef::id);
   const Result<sim::World> start = sim::create_world(by_id);
@@ -135,8 +135,10 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
   child.words = *words;
   child.folder = project.folder.string();
   child.out = child.err = said.string();
+  child.own_group = false;  // it ends with the process that judges
   const Result<process::ChildEnd> end =
       process::run_child(child, project.timeout_s > 0 ? project.timeout_s : kPatience);
+  if (end.ok() && end->late) process::end_own_group();
   if (!end.ok()) return cannot_finish("the engine does not start: " + end.error().message);
   if (end->exit == kRefused) return bad_input("the engine refuses the scene" + golden::end_of_output(said));
   const auto fails = [&](std::string why) {

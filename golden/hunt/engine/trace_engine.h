@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "golden/engine/project.h"
 #include "golden/hunt/judge/trace.h"
 
@@ -7,11 +9,13 @@ namespace tumble::hunt {
 
 /// Runs a scene with the engine of a tumble.toml, in a folder of its own, and reads the session that it writes. An
 /// engine that ends with a status other than 0, is ended by a signal or its time limit, or writes fewer steps than the
-/// scene has gives a session that fails. The bounds of a session that Tumble wrote are those of the scene's method; of
-/// any other those of method layered with one substep.
+/// scene has gives a session that fails. The engine stays in the process group of the caller; where it is late, all
+/// that the group was joined by is ended. scratch: where the folder is made; empty: the system's place. The bounds of a
+/// session that Tumble wrote are those of the scene's method; of any other those of method layered with one substep.
 ///
 /// Errors. kBadInput: status 2, the engine's word for a scene that it cannot run, or a scene that is none.
 /// kCannotFinish: no folder, or a command that does not start.
-Result<Trace> trace_engine(const golden::EngineProject& project, const sim::SceneDef& scene);
+Result<Trace> trace_engine(const golden::EngineProject& project, const sim::SceneDef& scene,
+                           const std::filesystem::path& scratch = {});
 
 }  // namespace tumble::hunt

@@ -10,8 +10,8 @@ namespace {
 class Search {
  public:
   Search(const TextScene& scene, const Judgement& judgement, const Test& test, const Tracer& tracer,
-         std::uint64_t tries_most)
-      : test_(test), tracer_(tracer), tries_most_(tries_most) {
+         std::uint64_t tries_most, const std::function<bool()>& enough)
+      : test_(test), tracer_(tracer), tries_most_(tries_most), enough_(enough) {
     best_.scene = scene;
     best_.judgement = judgement;
   }
@@ -33,7 +33,7 @@ class Search {
   }
 
  private:
-  [[nodiscard]] bool spent() const { return best_.tried >= tries_most_; }
+  [[nodiscard]] bool spent() const { return best_.tried >= tries_most_ || (enough_ && enough_()); }
 
   // Takes the candidate if it still breaks the relation.
   bool accept(const sim::SceneDef& candidate, bool shorter = false) {
@@ -97,14 +97,15 @@ class Search {
   const Test& test_;
   const Tracer& tracer_;
   std::uint64_t tries_most_;
+  const std::function<bool()>& enough_;
   Shrunk best_;
 };
 
 }  // namespace
 
 Shrunk shrink(const TextScene& scene, const Judgement& judgement, const Test& test, const Tracer& tracer,
-              std::uint64_t tries_most) {
-  return Search(scene, judgement, test, tracer, tries_most).run();
+              std::uint64_t tries_most, const std::function<bool()>& enough) {
+  return Search(scene, judgement, test, tracer, tries_most, enough).run();
 }
 
 }  // namespace tumble::hunt

@@ -18,14 +18,14 @@ struct Shrunk {
   TextScene scene;
   Judgement judgement;
   std::uint64_t tried = 0;  ///< candidates that were judged
-  bool least = false;       ///< nothing more can go; false: the bound on candidates ended the search
+  bool least = false;       ///< nothing more can go; false: the bound on candidates, or the time, ended the search
 };
 
 /// The smallest scene that still breaks the relation, by delta debugging (Zeller and Hildebrandt 2002, Simplifying and
 /// isolating failure-inducing input): bodies, inputs, steps, the past, settings and digits go one after the other until
-/// none can. Counts candidates and no time, so the result is the same on every machine. Precondition: `scene` breaks
-/// it, as `judgement` says.
+/// none can. Counts candidates and no time, so the result is the same on every machine, unless `enough`, asked before
+/// each candidate, ends the search. Precondition: `scene` breaks it, as `judgement` says.
 Shrunk shrink(const TextScene& scene, const Judgement& judgement, const Test& test, const Tracer& tracer,
-              std::uint64_t tries_most);
+              std::uint64_t tries_most, const std::function<bool()>& enough = {});
 
 }  // namespace tumble::hunt
