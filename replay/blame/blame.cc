@@ -192,12 +192,20 @@ class Chain {
       }
     }
     const std::size_t field = largest_of(motion, kVelocity);
-    if (motion.of(field) == 0) {
-      blame_.complete = true;
-      blame_.ends = "both bodies of the contact are at rest: it holds them against gravity and its other contacts";
-      return std::optional<Cursor>();
-    }
+    if (motion.of(field) == 0) return explain_rest({at.step, body, field, 0});
     return before_step(at.step, body, field);
+  }
+
+  /// Both bodies of the contact that acted were at rest.
+  Result<std::optional<Cursor>> explain_rest(const Cursor& at) {
+    const Result<std::vector<sim::Command>> inputs = steps_.inputs(at.step);
+    if (!inputs.ok()) return inputs.error();
+    blame_.complete = true;
+    const sim::Command* input = input_on_all(*inputs);
+    if (input) blame_.answers.push_back(input_answer(log().header(), at.step, {at.body, at.field}, 0.0, 0.0, input));
+    blame_.ends = "both bodies of the contact were at rest";
+    blame_.ends += input ? ", and this input changed what it carries" : ": it carries what else acts on them";
+    return std::optional<Cursor>();
   }
 
   /// The value of a body at the start of a step, its inputs applied.
@@ -237,20 +245,13 @@ class Chain {
 
   Result<std::optional<Cursor>> explain_input(const Cursor& at, const BodyAccount& own,
                                               const std::optional<BodyMotion>& before) {
-    BlameAnswer answer;
-    answer.step = at.step;
-    answer.phase = "inputs";
-    answer.body = at.body;
-    answer.value = field_name(at.field);
-    answer.unit = unit_of_field(at.field);
-    if (before) answer.before = before->of(at.field);
-    answer.after = own.start.of(at.field);
     const Result<std::vector<sim::Command>> inputs = steps_.inputs(at.step);
     if (!inputs.ok()) return inputs.error();
     const sim::Command* input = input_on(*inputs, at.body, at.field == kFrozenField);
-    answer.text = input != nullptr ? describe_input(*input) : "an input before this step";
-    if (input != nullptr) answer.origin = input_place(log().header(), at.step, *input);
-    blame_.answers.push_back(answer);
+    std::optional<FieldValue> old;
+    if (before) old = before->of(at.field);
+    blame_.answers.push_back(
+        input_answer(log().header(), at.step, {at.body, at.field}, old, own.start.of(at.field), input));
     blame_.complete = true;
     blame_.ends = "an input set this value";
     return std::optional<Cursor>();

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "replay/blame/body_motion.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -95,6 +96,17 @@ const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyI
   return found;
 }
 
+const sim::Command* input_on_all(const std::vector<sim::Command>& inputs) {
+  const sim::Command* found = nullptr;
+  for (const sim::Command& input : inputs) {
+    if (std::holds_alternative<sim::SetGravity>(input) || std::holds_alternative<sim::SetDt>(input) ||
+        std::holds_alternative<sim::Remove>(input)) {
+      found = &input;
+    }
+  }
+  return found;
+}
+
 std::string describe_input(const sim::Command& input) {
   std::string text = sim::name_of(input);
   if (const std::optional<sim::BodyId> body = body_of(input)) text += " of body " + std::to_string(*body);
@@ -135,6 +147,21 @@ std::string body_place(const LogHeader& header, sim::BodyId body) {
     text += ", row " + std::to_string(origin.row) + ", column " + std::to_string(origin.column);
   }
   return text;
+}
+
+BlameAnswer input_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value,
+                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command* input) {
+  BlameAnswer answer;
+  answer.step = k;
+  answer.phase = "inputs";
+  answer.body = value.body;
+  answer.value = field_name(value.field);
+  answer.unit = unit_of_field(value.field);
+  answer.before = before;
+  answer.after = after;
+  answer.text = input != nullptr ? describe_input(*input) : "an input before this step";
+  if (input != nullptr) answer.origin = input_place(header, k, *input);
+  return answer;
 }
 
 }  // namespace tumble::replay

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/blame/blame_answer.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/scene.h"
 
@@ -14,6 +15,10 @@ namespace tumble::replay {
 /// The last of these inputs that can have written a value of the body: its own throw, push, wake or set_velocity; for
 /// "frozen" also a removal or another gravity, which wake bodies. Null: none.
 const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyId body, bool frozen);
+
+/// The last of these inputs that changes what all contacts, or those of a removed body, have to carry: another gravity,
+/// another dt, a removal. Null: none.
+const sim::Command* input_on_all(const std::vector<sim::Command>& inputs);
 
 /// "push of body 7, impulse (4, 0, 0) N s".
 std::string describe_input(const sim::Command& input);
@@ -25,5 +30,16 @@ std::string input_place(const LogHeader& header, std::uint64_t k, const sim::Com
 /// The place of a body of the scene: "line 7 of the scene, [[box]]", "line 20 of the scene, [[wall]], row 3, column 2".
 /// Empty where the scene does not define the body.
 std::string body_place(const LogHeader& header, sim::BodyId body);
+
+/// A value of a body, by the index of its field in BodyMotion.
+struct ValueOfBody {
+  sim::BodyId body = 0;
+  std::size_t field = 0;
+};
+
+/// The answer that an input before step k changed the value; `before`: none where there was no such value. `input` may
+/// be null: one that is not known.
+BlameAnswer input_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value,
+                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command* input);
 
 }  // namespace tumble::replay

@@ -5,6 +5,7 @@
 #include "src/math/grid.h"
 #include "src/step/first_contacts.h"
 #include "src/world/edit_bodies.h"
+#include "src/world/forget_contacts.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/limits.h"
 #include "tumble/sim/step.h"
@@ -81,6 +82,7 @@ class Applier {
     if (Status ok = check_vector("set_gravity", "gravity", input.gravity, kGravityMax); !ok.ok()) return ok;
     state_.def.gravity = input.gravity;
     for (BodyIndex i = 0; i < bodies_.size(); ++i) wake_body(state_, i);
+    forget_impulses(state_.contact_memory);
     return {};
   }
 
@@ -90,6 +92,7 @@ class Applier {
                        " s");
     }
     state_.def.dt = input.dt;
+    forget_impulses(state_.contact_memory);
     return {};
   }
 

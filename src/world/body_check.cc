@@ -19,9 +19,13 @@ std::string named(const Bodies& bodies, BodyIndex i) { return "body " + std::to_
 
 Error beyond(const std::string& body, const char* quantity, const Vec3& found, double limit, const char* unit) {
   const auto digits = [](double value) { return significant(value, 9); };
+  const bool left =
+      limit == kPositionMax && std::isfinite(found.x()) && std::isfinite(found.y()) && std::isfinite(found.z());
   return cannot_finish(body + ": found " + quantity + " (" + digits(found.x()) + ", " + digits(found.y()) + ", " +
                        digits(found.z()) + ") " + unit + ", wanted finite and within ±" + significant(limit, 6) + ' ' +
-                       unit + "; use smaller speeds, a smaller dt or less extreme masses");
+                       unit + "; " +
+                       (left ? "it left the world: start nearer to the origin, stop it, or remove it before"
+                             : "use smaller speeds, a smaller dt or less extreme masses"));
 }
 
 Status check_body_closely(const Bodies& bodies, BodyIndex i) {

@@ -9,6 +9,7 @@
 #include "src/math/grid.h"
 #include "src/model/mass.h"
 #include "src/world/body_check.h"
+#include "src/world/forget_contacts.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::sim {
@@ -76,30 +77,6 @@ void filter_objects(ContactObjects& objects, Keep keep) {
   objects.object.resize(kept);
 }
 
-// Forgets the contacts of body i and returns what it touched.
-std::vector<BodyIndex> forget_contacts(ContactMemory& memory, BodyIndex i) {
-  std::vector<BodyIndex> touched;
-  ContactMemory kept;
-  std::size_t point = 0;
-  for (std::size_t k = 0; k < memory.size(); point += memory.count[k], ++k) {
-    const BodyIndex a = memory.a[k], b = memory.b[k];
-    if (a == i || b == i) {
-      if (a != kGround) touched.push_back(a == i ? b : a);
-      continue;
-    }
-    kept.a.push_back(a);
-    kept.b.push_back(b);
-    kept.count.push_back(memory.count[k]);
-    kept.friction.push_back(memory.friction[k]);
-    kept.twist.push_back(memory.twist[k]);
-    const auto from = static_cast<std::ptrdiff_t>(point), to = from + static_cast<std::ptrdiff_t>(memory.count[k]);
-    kept.feature.insert(kept.feature.end(), memory.feature.begin() + from, memory.feature.begin() + to);
-    kept.impulse.insert(kept.impulse.end(), memory.impulse.begin() + from, memory.impulse.begin() + to);
-  }
-  memory = std::move(kept);
-  return touched;
-}
-
 Vec3 inverse(const Vec3& v) { return {1 / v.x(), 1 / v.y(), 1 / v.z()}; }
 
 }  // namespace
@@ -154,7 +131,7 @@ void insert_body(WorldState& state, const BoxDef& box) {
 
 void erase_body(WorldState& state, BodyIndex i) {
   SIM_CHECK(i < state.bodies.size(), i, state.bodies.size());
-  std::vector<BodyIndex> resting = forget_contacts(state.contact_memory, i);
+  std::vector<BodyIndex> resting = forget_contacts(state, i);
   for (std::size_t k = 0; k < state.contact_objects.size(); ++k) {
     if (state.contact_objects.object[k] == i) resting.push_back(state.contact_objects.body[k]);
   }

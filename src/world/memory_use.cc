@@ -87,11 +87,12 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
                            s.visits.reach_of_body, s.visits.reach, s.overlaps.velocity, s.overlaps.spin, s.energies) +
                        held_inside(s.visits.layers)});
-  parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
-                   held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies,
-                           s.waves.start, w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows,
-                           w.first_blow, w.struck, w.stands, w.held, w.settled, w.offered, s.island_links,
-                           s.waking.disturbed, s.waking.wakes, s.sleeping.touching, s.sleeping.restless)});
+  parts.push_back(
+      {"levels, islands and sleep", GrowsWith::kBodies,
+       held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies, s.waves.start,
+               w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck,
+               w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.wakes,
+               s.sleeping.touching, s.sleeping.restless, s.sleeping.held)});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

@@ -168,6 +168,7 @@ struct VisitScratch {
 struct SleepScratch {
   std::vector<std::uint8_t> touching;  ///< bodies that touch anything
   std::vector<std::uint8_t> restless;  ///< by the body that stands for an island
+  std::vector<std::uint8_t> held;      ///< likewise: the island touches what does not move
 };
 
 }  // namespace tumble::sim

@@ -63,7 +63,7 @@ std::uint32_t method_version(Method method) {
     case Method::kThesis:
       return 5;
     case Method::kLayered:
-      return 7;
+      return 8;
   }
   return 0;
 }

@@ -260,5 +260,20 @@ TEST(Blame, ExplainsNothingThatThisBuildDoesNotRepeat) {
   EXPECT_TRUE(before.ok());
 }
 
+// A plank at rest on two blocks, of which an input removes one: what the other does to it began with that input.
+TEST(Blame, InputThatTakesALoadAwayIsNamed) {
+  sim::SceneDef scene = on_ground(Method::kLayered, {}, 31);
+  scene.world.freezing = false;
+  scene.boxes = {test::cube(1, {-1.5, 0, 0.5}), test::cube(2, {1.5, 0, 0.5}),
+                 test::box(3, {4, 1, 0.25}, {0, 0, 1.125})};
+  scene.boxes[0].is_static = scene.boxes[1].is_static = true;
+  scene.inputs = {{31, sim::Remove{2}}};
+  const Blame found = blame_of(scene, {3, "spin.y", 31, 9});
+  ASSERT_GE(found.answers.size(), 2U);
+  EXPECT_EQ(found.answers.back().phase, "inputs") << story(found);
+  EXPECT_EQ(found.answers.back().text, "remove of body 2") << story(found);
+  EXPECT_EQ(story(found).find("against gravity"), std::string::npos) << story(found);
+}
+
 }  // namespace
 }  // namespace tumble::replay

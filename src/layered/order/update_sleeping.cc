@@ -59,13 +59,27 @@ void put_to_sleep(Bodies& bodies, BodyIndex i) {
   bodies.spin.set(i, Vec3::Zero());
 }
 
-// Puts the islands to sleep of which every body has been slow for long enough.
+bool rests(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
+
+// Marks the islands that touch the ground, a static or a sleeping body: nothing else can hold a slow island where it
+// is.
+void mark_held(const Bodies& bodies, Scratch& scratch, Islands& islands) {
+  std::vector<std::uint8_t>& held = scratch.sleeping.held;
+  held.assign(bodies.size(), 0);
+  for_touching(scratch, [&](const Manifold& m) {
+    if (rests(bodies, m.a) && !rests(bodies, m.b)) mark(held[islands.of(m.b)]);
+    if (rests(bodies, m.b) && !rests(bodies, m.a)) mark(held[islands.of(m.a)]);
+  });
+}
+
+// Puts the islands to sleep that are held and of which every body has been slow for long enough.
 void freeze_islands(WorldState& state, Scratch& scratch) {
   Bodies& bodies = state.bodies;
   Islands islands(scratch.island_links, bodies.size(), scratch.workers);
   for_touching(scratch, [&](const Manifold& m) {
     if (m.a != kGround && bodies.is_static[m.a] == 0 && bodies.is_static[m.b] == 0) islands.join(m.a, m.b);
   });
+  mark_held(bodies, scratch, islands);
   std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
   restless.assign(bodies.size(), 0);
   const auto for_moving = [&](auto visit) {
@@ -79,7 +93,8 @@ void freeze_islands(WorldState& state, Scratch& scratch) {
     if (bodies.low_energy_time[i] < state.def.freeze_time) mark(restless[islands.of(i)]);
   });
   for_moving([&](BodyIndex i) {
-    if (restless[islands.of(i)] == 0) put_to_sleep(bodies, i);
+    const BodyIndex island = islands.of(i);
+    if (restless[island] == 0 && scratch.sleeping.held[island] != 0) put_to_sleep(bodies, i);
   });
 }
 
@@ -87,7 +102,9 @@ void freeze_islands(WorldState& state, Scratch& scratch) {
 
 Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s) {
   mark_touching(state.bodies, scratch);
-  if (advance_timers(state, scratch, dt_s) && state.def.freezing) freeze_islands(state, scratch);
+  const bool slow_for_long = advance_timers(state, scratch, dt_s);
+  // Without gravity nothing holds a body: it drifts on.
+  if (slow_for_long && state.def.freezing && state.def.gravity != Vec3::Zero()) freeze_islands(state, scratch);
   return {};
 }
 
