@@ -5,8 +5,8 @@
 
 #include "src/math/grid.h"
 #include "src/thesis/split_mass.h"
-#include "src/thesis/touched_bodies.h"
 #include "src/world/body_check.h"
+#include "src/world/hash_on_the_way.h"
 #include "src/world/lift_cost.h"
 
 namespace tumble::sim {

@@ -5,7 +5,7 @@
 
 #include "src/math/grid.h"
 #include "src/thesis/merge_displacements.h"
-#include "src/thesis/touched_bodies.h"
+#include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
 namespace {

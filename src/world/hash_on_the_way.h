@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <span>
 
-#include "src/base/workers.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/hash.h"
+#include "tumble/sim/workers.h"
 
 /// What a phase writes is hashed block by block right after it is computed, while its lines lie in the nearest cache;
 /// read again at the end of the phase, the same bytes take three times as long and push others out of the caches.
@@ -85,5 +85,15 @@ class GatheredNumbers {
   std::size_t count_ = 0, older_ = 0;  // in it; in the other one
   alignas(64) double numbers_[2][kMost];
 };
+
+/// Adds numbers of the bodies in collisions, of method thesis: the phases after compute_impulses change no others, and
+/// read no others. add(numbers, body) adds those of one body.
+template <class Add>
+void add_touched(const Scratch& scratch, Hasher& hasher, Add add) {
+  GatheredNumbers numbers(&hasher);
+  for (BodyIndex i = 0; i < scratch.touched.size(); ++i) {
+    if (scratch.touched[i] != 0) add(numbers, i);
+  }
+}
 
 }  // namespace tumble::sim

@@ -54,7 +54,7 @@ void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t en
   constexpr std::size_t kOfBody = sizeof(SolverBody) / sizeof(double);
   for (std::size_t i = begin; i < end; ++i) {
     if (scratch.in_contact[i] == 0) continue;
-    std::memcpy(numbers.next(kOfBody), &scratch.solver_bodies[i], sizeof(SolverBody));
+    std::memcpy(numbers.next(kOfBody), doubles_of(scratch.solver_bodies, i, i + 1).data(), sizeof(SolverBody));
   }
 }
 
@@ -66,7 +66,7 @@ void add_solver_velocities(const Scratch& scratch, Hasher& hasher) {
     const std::size_t ahead = std::min(i + kAhead, n - 1);
     __builtin_prefetch(&scratch.solver_bodies[scratch.in_contact[ahead] != 0 ? ahead : n]);
     if (scratch.in_contact[i] == 0) continue;
-    std::memcpy(numbers.next(6), &scratch.solver_bodies[i], 6 * sizeof(double));
+    std::memcpy(numbers.next(6), doubles_of(scratch.solver_bodies, i, i + 1).data(), 6 * sizeof(double));
   }
 }
 
