@@ -38,19 +38,24 @@ std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
   return all;
 }
 
-// The corners behind a plane, merged to one point with their depths as weights (thesis Fig. 6). distance: of the plane
-// from the origin of the corners; height_of: of a corner over that origin; both along the normal. Adds the corners to
-// the patch, if there is one, measured from the point.
+// The corners behind a plane, and the point that they are merged to (thesis Fig. 6).
+struct Behind {
+  std::array<Vec3, 8> corners;
+  std::size_t count = 0;
+  Vec3 point = Vec3::Zero();
+};
+
+// Merges the corners behind a plane with their depths as weights. distance: of the plane from the origin of the
+// corners; height_of: of a corner over that origin; both along the normal. None where no corner lies behind.
 template <class HeightOf>
-std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, double distance, std::vector<Vec3>* patch,
-                                 HeightOf height_of) {
+bool find_behind(const std::array<Vec3, 8>& corners, double distance, HeightOf height_of, Behind& behind) {
   std::array<double, 8> depth;
   double deepest = 0;
   for (std::size_t k = 0; k < 8; ++k) {
     depth[k] = distance - height_of(corners[k]);
     deepest = std::max(deepest, depth[k]);
   }
-  if (deepest <= 0) return std::nullopt;
+  if (deepest <= 0) return false;
   Vec3 sum = Vec3::Zero();
   double weights = 0;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -58,29 +63,58 @@ std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, double dist
     const double weight = UnitGrid::round(depth[k] / deepest);
     sum += PositionGrid::round(Vec3(corners[k] * weight));
     weights += weight;
+    behind.corners[behind.count++] = corners[k];
   }
-  const Vec3 point = PositionGrid::round(Vec3(sum / weights));
-  if (patch == nullptr) return point;
-  for (std::size_t k = 0; k < 8; ++k) {
-    if (depth[k] > 0) patch->push_back(corners[k] - point);
-  }
-  return point;
+  behind.point = PositionGrid::round(Vec3(sum / weights));
+  return true;
+}
+
+// The way from a point of a face's plane to the face: zero on the face itself. From the box's centre.
+Vec3 way_to_face(const BoxFrame& frame, int axis, const Vec3& point) {
+  const auto way = [&](int k) {
+    const double along = dot(point, frame.axes[k]), half = frame.half_extent[k];
+    return Vec3(frame.axes[k] * (std::clamp(along, -half, half) - along));
+  };
+  return way((axis + 1) % 3) + way((axis + 2) % 3);
+}
+
+// Adds the corners, measured from the point, to the patch, if there is one.
+void add_patch(const Behind& behind, std::vector<Vec3>* patch) {
+  if (patch == nullptr) return;
+  for (std::size_t k = 0; k < behind.count; ++k) patch->push_back(behind.corners[k] - behind.point);
+}
+
+// A collision point on a face; beyond: whether Fig. 6 puts it beyond the edge.
+struct FacePoint {
+  Vec3 point;
+  bool beyond = false;
+};
+
+// The collision point of `other` on a face of `box`, from the box's centre. `to_other`: from there to the other centre;
+// outward: the normal of the face, whose plane is infinite. With a patch, so with a static box, the point and the patch
+// end where the face does: what hangs over its edge is not carried.
+std::optional<FacePoint> point_on_face(const BoxFrame& box, int axis, const Vec3& outward, const BoxFrame& other,
+                                       const Vec3& to_other, std::vector<Vec3>* patch) {
+  Behind behind;
+  const auto height_of = [&](const Vec3& corner) { return dot(corner, outward); };
+  if (!find_behind(corners(other, to_other), box.half_extent[axis], height_of, behind)) return std::nullopt;
+  if (patch == nullptr) return FacePoint{behind.point};
+  const Vec3 merged = behind.point;
+  behind.point = PositionGrid::round(Vec3(merged + way_to_face(box, axis, merged)));
+  for (std::size_t k = 0; k < behind.count; ++k) behind.corners[k] += way_to_face(box, axis, behind.corners[k]);
+  add_patch(behind, patch);
+  return FacePoint{behind.point, behind.point != merged};
 }
 
 // The collision point, from a's centre, on a face of a or b. Corners are measured in the box of the face: names of the
 // two boxes exchanged, the bits stay.
-std::optional<Vec3> face_point(const BoxPair& pair, int axis, std::vector<Vec3>* patch) {
+std::optional<FacePoint> face_point(const BoxPair& pair, int axis, std::vector<Vec3>* patch) {
   const Vec3 normal = pair.normal(axis);
   const Vec3& d = pair.offset();
-  if (axis < 3) {
-    return point_behind(corners(pair.b(), d), pair.a().half_extent[axis], patch,
-                        [&](const Vec3& corner) { return dot(corner, normal); });
-  }
-  const Vec3 from_b_to_a = -normal;
-  const auto from_b = point_behind(corners(pair.a(), -d), pair.b().half_extent[axis - 3], patch,
-                                   [&](const Vec3& corner) { return dot(corner, from_b_to_a); });
+  if (axis < 3) return point_on_face(pair.a(), axis, normal, pair.b(), d, patch);
+  const auto from_b = point_on_face(pair.b(), axis - 3, -normal, pair.a(), -d, patch);
   if (!from_b) return std::nullopt;
-  return Vec3(*from_b + d);
+  return FacePoint{Vec3(from_b->point + d), from_b->beyond};
 }
 
 // The middle of the edge that lies farthest along `direction`, from the box's centre.
@@ -134,18 +168,22 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const V
   Contact contact;
   const std::size_t begin = patch != nullptr ? patch->size() : 0;
   int count = 0;
+  bool beyond = false;
   for (int axis = 0; axis < kAxisCount; ++axis) {
     if ((best.axes & only(axis)) == 0) continue;
-    const std::optional<Vec3> point = axis < 6 ? face_point(pair, axis, patch) : edge_point(pair, axis);
-    if (!point) continue;
+    const auto found = axis < 6 ? face_point(pair, axis, patch) : FacePoint{edge_point(pair, axis)};
+    if (!found) continue;
     contact.normal = pair.normal(axis);
-    contact.r_a = *point;
+    contact.r_a = found->point;
     normals += UnitGrid::round(contact.normal);
-    points += *point;
+    points += found->point;
+    beyond = beyond || found->beyond;
     ++count;
   }
   if (count == 0) return std::nullopt;
   contact.depth = -best.separation;
+  // An infinite plane is deepest in corners that hang over its face; along some other axis the boxes overlap less.
+  if (beyond) contact.depth = std::min(contact.depth, std::max(0.0, -pair.best_of_all().separation));
   if (count > 1) {  // every normal has a part along x_b − x_a, so they do not cancel
     contact.normal = normals / length(normals);
     contact.r_a = MeanGrid::round_any(Vec3(points / count));
@@ -157,10 +195,11 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const V
 std::optional<Contact> ground_contact(const BoxFrame& frame, std::vector<Vec3>* patch) {
   // Corners relative to the body's centre: x and y of the body do not enter, and the ground lies `height` below.
   const double height = frame.position.z();
-  const auto point =
-      point_behind(corners(frame, Vec3::Zero()), -height, patch, [](const Vec3& corner) { return corner.z(); });
-  if (!point) return std::nullopt;
-  return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, *point};
+  Behind behind;
+  const auto height_of = [](const Vec3& corner) { return corner.z(); };
+  if (!find_behind(corners(frame, Vec3::Zero()), -height, height_of, behind)) return std::nullopt;
+  add_patch(behind, patch);
+  return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, behind.point};
 }
 
 // Room for `count` contacts in the columns that are written here.

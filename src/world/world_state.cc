@@ -61,7 +61,7 @@ std::optional<BodyIndex> Bodies::find(BodyId wanted) const {
 std::uint32_t method_version(Method method) {
   switch (method) {
     case Method::kThesis:
-      return 5;
+      return 6;
     case Method::kLayered:
       return 8;
   }

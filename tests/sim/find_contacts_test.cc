@@ -116,6 +116,23 @@ TEST(FindContacts, PlaneOfAFaceIsInfinite) {
   expect_near(world.scratch().contacts.r_a[0], {5.25, 0, 0.45});
 }
 
+// A static slab carries only what lies over its face: the point stays at the edge, x = 5, and so do the corners that
+// share the load, whichever of the two is called a.
+TEST(FindContacts, PointStaysOnTheFaceOfAStaticBox) {
+  BoxDef slab = box(1, {10, 10, 1}, {0, 0, -0.5}), over = cube(2, {5.25, 0, 0.45});
+  slab.is_static = true;
+  const World world = colliding(slab, over);
+  const Contacts& contacts = world.scratch().contacts;
+  ASSERT_EQ(contacts.size(), 1U);
+  expect_near(contacts.r_a[0], {5, 0, 0.45});
+  EXPECT_NEAR(contacts.depth[0], 0.05, 1e-10);
+  ASSERT_EQ(contacts.patch.size(), 4U);
+  for (const Vec3& corner : contacts.patch) EXPECT_LE(corner.x(), 1e-9);
+
+  std::swap(slab.id, over.id);
+  expect_near(colliding(over, slab).scratch().contacts.r_b[0], {5, 0, 0.45});
+}
+
 // Beams along x and y, each standing on an edge, 1.3 m apart. The upper edge of a runs along x at y = 0, z = √½; the
 // lower edge of b along y at x = 0.3, z = 1.3 − √½. They are nearest at (0.3, 0), and half-way up lies 0.65.
 TEST(FindContacts, EdgesMeetInTheMiddleOfTheShortestLine) {
