@@ -70,6 +70,17 @@ SceneDef frozen_wall_hit() {
   return with(scene, 120, 1.0 / 60, 8);
 }
 
+// Cubes fall on the edges of static ones, and tip over them.
+SceneDef static_edges() {
+  SceneDef scene = with(jittered(pile(4), 0.1), 120, 1.0 / 60, 4);
+  for (sim::BoxDef& b : scene.boxes) b.position.z() += 1.5;
+  for (int k = 0; k < 9; ++k) {
+    scene.boxes.push_back(cube(101 + static_cast<sim::BodyId>(k), {1.75 * (k % 3), 1.75 * (k / 3), 0.5}));
+    scene.boxes.back().is_static = true;
+  }
+  return scene;
+}
+
 // Every kind of input in the middle of a run.
 SceneDef session() {
   SceneDef scene = with(jittered(pile(3), 0.02), 150, 1.0 / 60, 4);
@@ -112,6 +123,7 @@ std::vector<Case> cases() {
       {"size_ratio", with(size_ratio(), 300, k60, 8)},
       {"plates_and_bars", with(plates_and_bars(24, 11), 250, k60, 8)},
       {"static_ramp", with(ramp(24, 5), 250, k60, 4)},
+      {"static_edges", static_edges()},
       {"session", session()},
   };
 }
