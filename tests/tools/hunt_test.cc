@@ -95,7 +95,7 @@ TEST(Hunt, GoesOnWithTheHuntInItsFolder) {
   const Outcome others = shop.run({"hunt", "--seed", "5", "--relation", "ids", "--folder", "kept", "--count", "40"});
   EXPECT_EQ(others.exit, 2);
   EXPECT_TRUE(says(others.err, "relations")) << others.err;
-  shop.write("kept/hunt.json", "{\"format\": 1}");
+  shop.write("kept/hunt.json", "{\"format\": 2}");
   EXPECT_EQ(run("40").exit, 3) << "damaged";
 }
 
@@ -173,7 +173,7 @@ TEST(Hunt, CountsAndFindingsOfAFolderAgree) {
   shop.write("kept/hunt.json", text);
   const Outcome run = shop.run({"hunt", "--count", "2", "--relation", "ids", "--folder", "kept"});
   EXPECT_EQ(run.exit, 3) << run.out;
-  EXPECT_TRUE(says(run.err, "counts scenes that broke ids and lists none")) << run.err;
+  EXPECT_TRUE(says(run.err, "damaged: its text has the hash")) << run.err;
 }
 
 TEST(Hunt, NamesFindingsWithoutShrinkingThem) {
