@@ -11,6 +11,13 @@
 Units are SI, axes right-handed with z up, orientations unit quaternions (w, x, y, z). docs/python.md has more.
 """
 
+try:
+    import numpy as _numpy  # noqa: F401
+except ModuleNotFoundError as _missing:
+    raise ModuleNotFoundError(
+        "tumble needs numpy: apt-get install python3-numpy, or pip install numpy", name="numpy"
+    ) from _missing
+
 from ._columns import Channel, Column, Steps
 from ._errors import BadInput, CannotFinish, DamagedLog, Error
 from ._log import Log

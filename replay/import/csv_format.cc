@@ -168,8 +168,9 @@ Status check_vector(const CsvReader& table, const char* name, const std::array<s
   std::size_t there = 0;
   for (const std::size_t column : columns) there += column != CsvColumns::kNone ? 1U : 0U;
   if (there == N || (there == 0 && !needed)) return {};
+  const char* points = N == 4 && there == 0 ? " (where nothing turns, 1 in .w and 0 in the others)" : "";
   return table.at_line(table.line(), "found " + std::to_string(there) + " columns of " + name + ", wanted " +
-                                         std::to_string(N) + ": " + name + (N == 4 ? ".w, " : ".x, ") + "…");
+                                         std::to_string(N) + ": " + name + (N == 4 ? ".w, " : ".x, ") + "…" + points);
 }
 
 /// Takes a column that is a channel; false for any other.

@@ -105,6 +105,7 @@ std::string count_text(std::uint64_t n, const char* one) {
 }
 
 std::string seconds_text(double seconds) {
+  if (seconds > 0 && seconds < 0.0000995) return fmt::format("{:.1f} µs", seconds * 1e6);
   if (seconds < 0.0995) return fmt::format("{:.1f} ms", seconds * 1000);
   return fmt::format("{:.{}f} s", seconds, seconds < 100 ? 2 : 0);
 }

@@ -33,9 +33,9 @@ std::string significant(double value, int digits);
 /// Four significant digits with the unit: "1.234e-07 m", "45.3 J".
 std::string rounded(double value, std::string_view unit);
 
-std::string bytes_text(std::uint64_t bytes);               ///< "812 bytes", "4.21 MB"
+std::string bytes_text(std::uint64_t bytes);               ///< "812 bytes", "4.2 MB"
 std::string count_text(std::uint64_t n, const char* one);  ///< "1 body", "222 bodies", "12 steps"
-std::string seconds_text(double seconds);                  ///< "5.00 s", "12 ms"
+std::string seconds_text(double seconds);                  ///< "5.00 s", "12.0 ms", "30.0 µs"
 
 /// "found X, wanted Y", a part of every error message about a value.
 std::string found_wanted(std::string_view found, std::string_view wanted);
