@@ -32,7 +32,7 @@ struct HuntOptions {
 /// Which scenes break what depends on the seed alone, and on no number of jobs. A hunt that is cancelled or out of time
 /// keeps a whole number of scenes without a gap. Where there is a time, shrinking ends with it, and keeps what it has
 /// reached. Errors: the folder's; kBadInput: a question that cannot be asked, a folder in which another process hunts.
-Result<HuntState> hunt_scenes(const HuntOptions& options);
+Result<HuntState> hunt_scenes(const HuntOptions& chosen);
 
 /// Whether none of the findings breaks a relation that was claimed: all are, of this program. That a scene ends this
 /// program is no engine's to claim or to leave out.

@@ -44,7 +44,7 @@ std::map<std::uint64_t, Part> by_shard(const std::vector<fs::path>& folders, std
     }
     const std::string where = folder.string() + ": " + shard_text(state->share);
     if (const std::string fault = fault_of_end(*state); !fault.empty()) {
-      problems.push_back(bad_input(where + ": " + fault));
+      problems.push_back(bad_input(std::string(where).append(": ").append(fault)));
     }
     if (!parts.empty()) {
       HuntState wanted = parts.begin()->second.state;
@@ -54,9 +54,11 @@ std::map<std::uint64_t, Part> by_shard(const std::vector<fs::path>& folders, std
         continue;
       }
       if (state->count && wanted.count && state->count != wanted.count) {
-        problems.push_back(bad_input(where + ": is of a hunt of another --count: " +
-                                     found_wanted(std::to_string(*state->count), std::to_string(*wanted.count)) +
-                                     "; run all shards with one --count"));
+        std::string other = where;
+        other += ": is of a hunt of another --count: ";
+        other += found_wanted(std::to_string(*state->count), std::to_string(*wanted.count));
+        other += "; run all shards with one --count";
+        problems.push_back(bad_input(other));
       }
     }
     const auto [at, is_new] = parts.emplace(state->share.shard, Part{folder, *state});

@@ -75,7 +75,8 @@ SceneDef static_edges() {
   SceneDef scene = with(jittered(pile(4), 0.1), 120, 1.0 / 60, 4);
   for (sim::BoxDef& b : scene.boxes) b.position.z() += 1.5;
   for (int k = 0; k < 9; ++k) {
-    scene.boxes.push_back(cube(101 + static_cast<sim::BodyId>(k), {1.75 * (k % 3), 1.75 * (k / 3), 0.5}));
+    const int column = k % 3, row = k / 3;
+    scene.boxes.push_back(cube(101 + static_cast<sim::BodyId>(k), {1.75 * column, 1.75 * row, 0.5}));
     scene.boxes.back().is_static = true;
   }
   return scene;

@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan
   const EngineAxes axes = table_axes(header);
   const sim::Camera& camera = header.scene.camera;
   std::vector<std::pair<std::string, std::string>> lines;
-  const auto add = [&](const char* key, std::string value) { lines.emplace_back(key, line_text(value)); };
+  const auto add = [&](const char* key, const std::string& value) { lines.emplace_back(key, line_text(value)); };
   const bool ours = !header.engine;
   add("engine", ours ? "Tumble" : header.engine->name);
   const std::string version = ours ? header.tool_version : header.engine->version;
