@@ -169,7 +169,7 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   const Result<hunt::HuntState> state = hunt::hunt_scenes(how);
   bar.finish();
   if (!state.ok()) return state.error();
-  const Result<Exit> exit = tell(options, *state);
+  Result<Exit> exit = tell(options, *state);
   if (process::InterruptGuard::interrupted())
     return cannot_finish("interrupted: " + std::to_string(state->next) + " scenes are judged" +
                          (options.folder.empty() ? "" : " and kept"));

@@ -62,7 +62,8 @@ class Grouping {
       if (report->first) return false;
       if (result_.not_in_all.empty() && !report->only_in.empty()) {
         const std::string &one = logs_[member].name(), &other = logs_[log].name();
-        result_.not_in_all = "of " + one + " and " + other + ", " + report->only_in.text(one, other);
+        result_.not_in_all = "of " + one;
+        result_.not_in_all.append(" and ").append(other).append(", ").append(report->only_in.text(one, other));
       }
       partial_ |= !report->scope.passed_over().empty() || report->last_a != report->last_b;
       scope_.add(report->scope, logs_[member].name() + " and " + logs_[log].name());
