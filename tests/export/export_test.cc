@@ -87,9 +87,14 @@ void record_busy(const Workshop& shop) {
   }
   shop.write("busy.toml", scene);
   ASSERT_EQ(shop.run({"record", "busy.toml", "-o", "busy.tumble"}).exit, 0);
-  std::string log = shop.read("busy.tumble");
-  log[log.size() / 2] = static_cast<char>(log[log.size() / 2] ^ 0x55);
-  shop.write("damaged.tumble", log);
+  const std::string log = shop.read("busy.tumble");
+  const auto write_damaged = [&](const char* name, std::size_t at) {
+    std::string copy = log;
+    copy[at] = static_cast<char>(copy[at] ^ 0x55);
+    shop.write(name, copy);
+  };
+  write_damaged("damaged.tumble", log.size() * 3 / 5);   // in the second chunk of three
+  write_damaged("beheaded.tumble", log.size() * 1 / 5);  // in the first
 }
 
 /// The example of the documents and of --help.
@@ -124,6 +129,9 @@ TEST(Export, OfADamagedLogSaysWhatCanBeExported) {
   const std::string steps = run.err.substr(at + 12, run.err.find(' ', at + 12) - at - 12);
   EXPECT_EQ(shop.run({"export", "damaged.tumble", "-o", "a.npz", "--steps", steps, "--json"}).exit, 0);
   EXPECT_FALSE(shop.read("a.npz").empty());
+  const Outcome none = shop.run({"export", "beheaded.tumble", "-o", "b.npz"});
+  EXPECT_EQ(none.exit, 3);
+  EXPECT_EQ(none.err.find("--steps"), std::string::npos) << none.err;
 }
 
 /// Bodies that came in lost steps have no sizes; those that went in lost steps have no states.

@@ -147,8 +147,8 @@ hunt::Finding finding(const char* relation, std::uint64_t number, double value) 
 TEST(HuntScenes, ASceneThatEndsTheProgramStaysAFinding) {
   hunt::HuntState state;
   state.relations = {{"ids", {}}};
-  state.relations[0].second.not_applicable = 1;
-  state.findings.push_back(finding(hunt::kSurvives, 4, 0));
+  state.relations[0].second.not_applicable = state.next = 1;
+  state.findings.push_back(finding(hunt::kSurvives, 0, 0));
   EXPECT_FALSE(hunt::claims_hold(state));
   state.engine = "my_engine {log}";
   EXPECT_FALSE(hunt::claims_hold(state));

@@ -161,8 +161,7 @@ TEST(OddStream, AStartThatCannotBeLeavesAnOlderLog) {
   };
   const Result<StreamImport> done = import_stream(*stream, make_sink);
   ASSERT_FALSE(done.ok());
-  EXPECT_NE(done.error().message.find("found 20000 channels"), std::string::npos)
-      << done.error().message;
+  EXPECT_NE(done.error().message.find("found 20000 channels"), std::string::npos) << done.error().message;
   EXPECT_EQ(opened, 0);
   const Result<StreamReader> sound = open_stream(record(1, 2));
   ASSERT_TRUE(sound.ok());

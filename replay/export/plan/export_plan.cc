@@ -173,7 +173,7 @@ Error with_advice(const Error& error, const LogReader& log, std::uint64_t step) 
   if (error.kind != ErrorKind::kDamaged) return error;
   const std::string first = std::to_string(log.first_state());
   return damaged(error.message + "; 'tumble recover' saves what is whole" +
-                 (step > log.first_state()
+                 (step > log.first_state() + 1  // the first state lies in the first chunk
                       ? ", and --steps " + first + ':' + std::to_string(step - 1) + " exports what comes before"
                       : ""));
 }
