@@ -12,7 +12,7 @@ Units are SI, axes right-handed with z up, orientations unit quaternions (w, x, 
 """
 
 try:
-    import numpy as _numpy  # noqa: F401
+    import numpy as _numpy
 except ModuleNotFoundError as _missing:
     raise ModuleNotFoundError(
         "tumble needs numpy: apt-get install python3-numpy, or pip install numpy", name="numpy"
