@@ -23,7 +23,7 @@ slow_cases=(brick_tower brick_wall layered_brick_wall layered_cabin layered_cabi
   layered_tower_20 layered_tower_40 layered_wall pile pyramid thin_long tilted_grid)
 # Whose logs are replayed: short, and together they run every phase.
 log_cases=(bounce freeze_and_wake friction_with size_ratio stacks thesis_free_spin thesis_grid_coarse
-  thesis_images_pile thesis_inputs thesis_slide tower layered_bounce layered_bullets layered_chain_hit
+  thesis_images_pile thesis_inputs thesis_overhang thesis_slide tower layered_bounce layered_bullets layered_chain_hit
   layered_free_hits layered_free_pass layered_free_spin layered_heavy_drop layered_images_grams
   layered_images_pile layered_images_wide layered_inputs layered_leaning layered_mass_graded layered_memory_of_ties layered_plates
   layered_ramp layered_size_ratio layered_sleep layered_slide layered_slope_loose layered_spinning_plates
