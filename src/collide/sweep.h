@@ -9,7 +9,7 @@
 namespace tumble::sim {
 
 /// Writes the box and the AABB of every body at its present place. The extents are rounded outwards to the position
-/// grid, so that a shifted scene has the same overlaps.
+/// grid, so that a shifted scene has the same overlaps. With a hasher, adds the frames as hash_frames() does.
 void update_frames(Bodies& bodies, Scratch& scratch, Hasher* hasher = nullptr);
 
 /// Pointers to frames and AABBs of n bodies; makes the columns that long.

@@ -1,9 +1,8 @@
 #include "src/world/forget_contacts.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
-#include <utility>
+
+#include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {
@@ -26,26 +25,19 @@ ContactMemory without(const ContactMemory& memory, BodyIndex i) {
   return kept;
 }
 
-// The body that stands for a set of bodies (union-find with path halving).
-BodyIndex root_of(std::vector<BodyIndex>& up, BodyIndex i) {
-  while (up[i] != i) i = up[i] = up[up[i]];
-  return i;
-}
-
 // All bodies that contacts connect with body i, but i.
 std::vector<BodyIndex> connected_with(const WorldState& state, BodyIndex i) {
   const ContactMemory& memory = state.contact_memory;
   const auto connects = [&](BodyIndex body) { return body == i || state.bodies.is_static[body] == 0; };
-  std::vector<BodyIndex> up(state.bodies.size());
-  std::iota(up.begin(), up.end(), BodyIndex{0});
+  std::vector<BodyIndex> links;
+  Islands islands(links, state.bodies.size(), nullptr);
   for (std::size_t k = 0; k < memory.size(); ++k) {
     const BodyIndex a = memory.a[k], b = memory.b[k];
-    if (a == kGround || !connects(a) || !connects(b)) continue;
-    up[root_of(up, a)] = root_of(up, b);
+    if (a != kGround && connects(a) && connects(b)) islands.join(a, b);
   }
   std::vector<BodyIndex> found;
-  for (BodyIndex body = 0; body < up.size(); ++body) {
-    if (body != i && root_of(up, body) == root_of(up, i)) found.push_back(body);
+  for (BodyIndex body = 0; body < state.bodies.size(); ++body) {
+    if (body != i && islands.of(body) == islands.of(i)) found.push_back(body);
   }
   return found;
 }

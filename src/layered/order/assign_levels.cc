@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "src/layered/order/contact_graph.h"
-#include "src/layered/order/islands.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/order/waves.h"
+#include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "src/layered/order/contact_motion.h"
-#include "src/layered/order/islands.h"
+#include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {

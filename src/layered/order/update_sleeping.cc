@@ -1,7 +1,7 @@
 #include "src/layered/order/update_sleeping.h"
 
-#include "src/layered/order/islands.h"
 #include "src/world/body_check.h"
+#include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include "src/layered/find/find_manifolds.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
-#include "src/layered/order/islands.h"
 #include "src/world/edit_bodies.h"
+#include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {

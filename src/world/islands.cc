@@ -1,4 +1,4 @@
-#include "src/layered/order/islands.h"
+#include "src/world/islands.h"
 
 #include <utility>
 
