@@ -16,6 +16,7 @@
 #include "src/base/utf8.h"
 #include "src/files/output_file.h"
 #include "src/files/output_guard.h"
+#include "src/process/split_words.h"
 #include "src/render/scene/pick.h"
 #include "src/render/scene/view.h"
 #include "tumble/process/job_pool.h"
@@ -58,6 +59,14 @@ CanaryResult known(const char* name, const std::string& found, std::string_view 
   return {name, found == wanted, found};
 }
 
+std::string command_words(const std::string& command) {
+  const Result<std::vector<std::string>> words = process::split_words(command);
+  if (!words.ok()) return words.error().message;
+  std::string found;
+  for (const std::string& word : *words) found += word + "|";
+  return found;
+}
+
 std::vector<CanaryResult> texts() {
   const std::string hidden = ranges([](std::uint32_t code) { return !is_shown_as_read(code); });
   const std::string read = ranges([](std::uint32_t code) {
@@ -79,6 +88,10 @@ std::vector<CanaryResult> texts() {
             rounded(1.23456e-7, "m") + ", " + bytes_text(4'210'000) + ", " + seconds_text(0.012) + ", " +
                 count_text(1, "body") + ", " + count_text(3, "body"),
             "1.235e-07 m, 4.2 MB, 12.0 ms, 1 body, 3 bodies"),
+      known("a command is split into words",
+            command_words("a 'b c'  \"d \\\" e\"\tf\\ g '' h'i'j '\\'") + "; " + command_words("a 'b") + "; " +
+                command_words(" "),
+            "a|b c|d \" e|f g||hij|\\|; found a quote without its end in: a 'b; found no word in the command"),
       known("a slip of a word is guessed", std::string(nearest_word("frictoin", {"mass", "friction", "fraction"})),
             "friction"),
   };

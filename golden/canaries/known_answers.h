@@ -14,6 +14,15 @@ std::vector<CanaryResult> run_known_answers();
 /// Scenes with a slip each, and the whole message that refuses them.
 std::vector<CanaryResult> run_known_refusals();
 
+/// Scenes and what is read from them: every key, given and left out, every generator, --set.
+std::vector<CanaryResult> run_known_scenes();
+
+/// The least and the greatest value of every key of a scene, and values beyond, which are refused.
+std::vector<CanaryResult> run_known_limits();
+
+/// Textures, movements of the camera, meshes and views of pictures that no case draws.
+std::vector<CanaryResult> run_known_pictures();
+
 /// Small sessions computed in two ways that must agree to the bit: with lanes of every width of this machine, by
 /// threads, step by step from snapshots, and through a log.
 std::vector<CanaryResult> run_known_sessions();
