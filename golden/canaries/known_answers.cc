@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
+#include "src/base/parse_hash.h"
 #include "src/base/text.h"
 #include "src/base/utf8.h"
 #include "src/files/output_file.h"
@@ -59,6 +61,30 @@ CanaryResult known(const char* name, const std::string& found, std::string_view 
   return {name, found == wanted, found};
 }
 
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+std::string numbers_read() {
+  std::string found;
+  for (const char* text :
+       {"0.1", "-2e-3", "nan(0x7ff8000000000000)", "inf(0x7ff0000000000000)", "nan(0x7ff0000000000000)", "nan(0x1)",
+        "nan(0x7ff8000000000000", "nan(ind)", "1)", "", "1x", "inf", "-0"}) {
+    const std::optional<double> number = parse_exact(text);
+    found += (number ? exact_bits(*number) : "none") + " ";
+  }
+  return found;
+}
+
+std::string hashes_read() {
+  std::string found;
+  for (const char* text : {"0123456789abcdef00112233445566ff", "0123456789abcdef00112233445566f", "",
+                           "0123456789abcdeg00112233445566ff", "0123456789abcdef00112233445566f "}) {
+    const std::optional<Hash128> hash = parse_hash(text);
+    found += (hash ? to_string(*hash) : "none") + " ";
+  }
+  return found;
+}
+
 std::string command_words(const std::string& command) {
   const Result<std::vector<std::string>> words = process::split_words(command);
   if (!words.ok()) return words.error().message;
@@ -84,6 +110,15 @@ std::vector<CanaryResult> texts() {
       known("numbers are written shortest",
             exact(0.1) + " " + exact(-0.0) + " " + exact(1e-7) + " " + number_text(1e-5) + " " + exact(1.0 / 3),
             "0.1 -0 1e-07 0.00001 0.3333333333333333"),
+      known(
+          "numbers that are none keep their bits",
+          exact_bits(kNoNumber) + " " + exact_bits(-kInfinite) + " " + numbers_read(),
+          "nan(0x7ff8000000000000) -inf(0xfff0000000000000) 0.1 -0.002 nan(0x7ff8000000000000) inf(0x7ff0000000000000) "
+          "none none none nan(0x7ff8000000000000) none none none inf(0x7ff0000000000000) -0 "),
+      known("text of other programs becomes valid", valid_text("a\xC0z\xE2\x82\xAC\xFF") + padded_left("µm", 4),
+            "a�z€�  µm"),
+      known("hashes are read as they are written", hashes_read(),
+            "0123456789abcdef00112233445566ff none none none none "),
       known("values have their units",
             rounded(1.23456e-7, "m") + ", " + bytes_text(4'210'000) + ", " + seconds_text(0.012) + ", " +
                 count_text(1, "body") + ", " + count_text(3, "body"),

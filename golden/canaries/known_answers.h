@@ -20,8 +20,20 @@ std::vector<CanaryResult> run_known_scenes();
 /// The least and the greatest value of every key of a scene, and values beyond, which are refused.
 std::vector<CanaryResult> run_known_limits();
 
+/// How outputs are written, replaced and guarded.
+std::vector<CanaryResult> run_known_files();
+
+/// How programs and jobs end.
+std::vector<CanaryResult> run_known_processes();
+
+/// Stages, effects and markers of a small picture; none where the machine has no OpenGL.
+std::vector<CanaryResult> run_known_drawings();
+
 /// Textures, movements of the camera, meshes and views of pictures that no case draws.
 std::vector<CanaryResult> run_known_pictures();
+
+/// Worlds, inputs, snapshots and cameras with a slip each that no file of a scene can have, and what they are told.
+std::vector<CanaryResult> run_known_worlds();
 
 /// Small sessions computed in two ways that must agree to the bit: with lanes of every width of this machine, by
 /// threads, step by step from snapshots, and through a log.

@@ -171,7 +171,7 @@ std::string kept() {
   const Result<render::PngFile> file = render::read_png(path);
   if (!file.ok()) return file.error().message;
   std::string found = file->image == stripes(5) ? "alike" : "another picture";
-  for (const auto& [key, text] : file->text) found += ", " + key + " " + text;
+  for (const auto& [key, text] : file->text) found.append(", ").append(key).append(" ").append(text);
   return found;
 }
 

@@ -202,6 +202,7 @@ constexpr std::array kOverrides = {
 
 std::vector<CanaryResult> run_known_scenes() {
   std::vector<CanaryResult> results;
+  results.reserve(kKnown.size() + kOverrides.size());
   for (const Known& one : kKnown) results.push_back(known(one.name, read(one.scene), one.wanted));
   for (const Override& one : kOverrides) {
     results.push_back(known(std::string("a scene with --set ") + one.set, read(kOverridden, {one.set}), one.wanted));

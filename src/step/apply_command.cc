@@ -26,8 +26,8 @@ bool within(const Vec3& v, double limit) {
 
 Status check_vector(const char* input, const char* what, const Vec3& v, double limit) {
   if (within(v, limit)) return {};
-  return bad_input(std::string(input) + ": found a " + what + " that is not finite or beyond ±" +
-                   std::to_string(limit) + ", wanted one within");
+  return bad_input(std::string(input) + ": found a " + what + " that is not finite or beyond ±" + number_text(limit) +
+                   ", wanted one within");
 }
 
 // Applies one input to a state; each overload checks before it writes.
@@ -107,7 +107,7 @@ class Applier {
     const Vec3 velocity = bodies_.velocity[i] + VelocityGrid::round(Vec3(input.impulse * bodies_.inverse_mass[i]));
     const Vec3 spin = bodies_.spin[i] + VelocityGrid::round(to_world(axes, turn));
     if (!within(velocity, kSpeedMax) || !within(spin, kSpeedMax)) {
-      return bad_input("push: the impulse would take body " + id_text(input.id) + " past " + std::to_string(kSpeedMax) +
+      return bad_input("push: the impulse would take body " + id_text(input.id) + " past " + number_text(kSpeedMax) +
                        " m/s or rad/s; push less");
     }
     const Vec3 old_velocity = bodies_.velocity[i], old_spin = bodies_.spin[i];

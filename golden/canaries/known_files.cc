@@ -1,0 +1,185 @@
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "golden/canaries/known_answers.h"
+#include "golden/suite/temporary_folder.h"
+#include "golden/suite/text_files.h"
+#include "src/files/file_kind.h"
+#include "src/files/file_lock.h"
+#include "src/files/output_file.h"
+#include "src/files/output_guard.h"
+#include "tumble/process/job_pool.h"
+
+namespace tumble::golden {
+namespace {
+
+namespace fs = std::filesystem;
+using files::FileKind;
+using namespace std::string_literals;
+
+constexpr std::array kEndings = {".csv", ".glb", ".html", ".JSON", ".mcap", ".mp4",
+                                 ".npz", ".png", ".svg",  ".webm", ".xml"};
+constexpr std::size_t kKinds = 12;  // of FileKind, in its order: the endings with probes before SVG
+
+// A beginning of a file, and the kinds of output that may replace it.
+struct Beginning {
+  const char* name;
+  std::string bytes;
+  const char* kinds;
+};
+const auto& beginnings() {
+  static const std::array kBeginnings = {
+      Beginning{"nothing", "", "0 1 2 3 4 5 6 7 8 9 10 11 "},
+      Beginning{"a table", "step,id\n", "0 "},
+      Beginning{"a table with a head", "# engine: a\n# b\nstep,id\n", "0 "},
+      Beginning{"a head alone", "# engine: a", ""},
+      Beginning{"a table of others", "id,step\n", ""},
+      Beginning{"glTF", "glTF\2\0"s, "1 "},
+      Beginning{"a page", std::string(files::kPageBegins), "2 "},
+      Beginning{"a page of others", "<!doctype html>\n<html>", ""},
+      Beginning{"JSON", " \n{\"a\": 1}", "3 "},
+      Beginning{"JSON of a list", "[1]", "3 "},
+      Beginning{"MCAP", "\x89MCAP0\r\n", "4 "},
+      Beginning{"MP4", "\0\0\0 ftypisom"s, "5 "},
+      Beginning{"an archive", "PK\3\4", "6 "},
+      Beginning{"an empty archive", "PK\5\6", "6 "},
+      Beginning{"PNG", "\x89PNG\r\n\x1a\n", "7 "},
+      Beginning{"probes", "TMBLPRB1", "8 "},
+      Beginning{"SVG", "<?xml version=\"1.0\"?>\n<svg>", "9 "},
+      Beginning{"WebM", "\x1a\x45\xdf\xa3", "10 "},
+      Beginning{"JUnit", "<testsuites>", "11 "},
+      Beginning{"a text", "int main() {}", ""},
+      Beginning{"bytes", "{\0\1\2"s, ""},
+  };
+  return kBeginnings;
+}
+
+std::string kinds_by_name() {
+  std::string found;
+  for (const char* ending : kEndings)
+    found += std::to_string(static_cast<int>(files::kind_by_name("a/b"s + ending))) + " ";
+  return found;
+}
+
+std::string kinds_replaced(const fs::path& folder) {
+  for (const Beginning& one : beginnings()) {
+    const fs::path path = folder / "old";
+    if (const Status ok = write_file(path, one.bytes); !ok.ok()) return ok.error().message;
+    std::string found;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      if (files::replaces_its_kind("-o", path, static_cast<FileKind>(kind)).ok()) found += std::to_string(kind) + " ";
+    }
+    if (found != one.kinds) return one.name + ": "s + found;
+  }
+  const Status refused = files::replaces_its_kind("-o", folder / "old", FileKind::kPng);
+  return refused.ok() ? "as known" : refused.error().message.substr(folder.string().size() + 4);
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A file appears when it is complete, and only then; what a killed process left behind goes.
+std::string written(const fs::path& folder) {
+  const fs::path path = folder / "out", link = folder / "link", left = folder / "out.part-999999999-0",
+                 other = folder / "out.part-x";
+  for (const fs::path& file : {path, left, other}) {
+    if (const Status ok = write_file(file, "old"); !ok.ok()) return ok.error().message;
+  }
+  std::error_code error;
+  fs::create_symlink("out", link, error);
+  ::chmod(path.c_str(), 0640);
+  std::string found;
+  {
+    Result<files::OutputFile> file = files::OutputFile::create(link.string());
+    if (!file.ok()) return file.error().message;
+    if (!file->write("new").ok() || !file->write(std::string(70'000, 'x')).ok()) return "not written";
+    found += read(path) + " ";
+  }
+  found += read(path) + " ";  // not committed
+  Result<files::OutputFile> file = files::OutputFile::create(link.string());
+  if (!file.ok() || !file->write("news").ok() || !file->write_at(1, "EW").ok() || !file->commit().ok())
+    return "not written";
+  struct stat info = {};
+  ::stat(path.c_str(), &info);
+  found += read(path) + (fs::is_symlink(link) ? " by its link, mode " : " as a file, mode ") +
+           std::to_string(info.st_mode & 0777U);
+  found += fs::exists(left) ? ", a part is left" : ", no part is left";
+  found += fs::exists(other) ? ", another's stays" : ", another's is gone";
+  for (const fs::path& at : {folder, folder / "no/where", fs::path("/dev/null")}) {
+    const Result<files::OutputFile> made = files::OutputFile::create(at.string());
+    found += made.ok() ? made->is_device() ? ", a device" : ", a file"
+                       : ", " + made.error().message.substr(at.string().size());
+  }
+  return found;
+}
+
+std::string locked(const fs::path& folder) {
+  std::string found;
+  Result<files::FolderLock> first = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
+  if (!first.ok()) return first.error().message;
+  files::FolderLock held = std::move(*first);
+  process::run_jobs(
+      1,
+      [&folder](std::size_t) {
+        const Result<files::FolderLock> second = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
+        return second.ok() ? "taken twice"s : second.error().message;
+      },
+      [&](std::size_t, const process::JobResult& child) {
+        const std::string who = "a hunt works there, process " + std::to_string(::getpid());
+        found = child.output.find(who) != std::string::npos ? "refused, with the process" : child.output;
+      },
+      {});
+  { const files::FolderLock gone = std::move(held); }
+  const Result<files::FolderLock> again = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
+  return found + (again.ok() ? ", taken later" : ", never taken again");
+}
+
+std::string claimed(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder / "suite/case/deep", error);
+  fs::create_directories(folder / "free/deep", error);
+  if (!write_file(folder / "suite/case/deep/log", "x").ok()) return "not written";
+  files::OutputGuard guard;
+  guard.keep(folder / "suite/case/deep/log", "the log that is read");
+  guard.keep_folder(folder / "suite/case", "the case");
+  std::string found;
+  for (const char* place : {"suite", "suite/case", "suite/case/deep", "free", "free/deep", "new"}) {
+    const Status ok = guard.claim_folder("--report", folder / place);
+    found += place + (ok.ok() ? " taken, "s : " refused, "s);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<CanaryResult> run_known_files() {
+  const TemporaryFolder scratch("tumble-canary");
+  const fs::path& folder = scratch.path();
+  std::vector<CanaryResult> results;
+  const auto known = [&results](const char* name, const std::string& found, std::string_view wanted) {
+    results.push_back({name, found == wanted, found});
+  };
+  if (folder.empty()) return {{"files are written as they were", false, "no temporary folder could be made"}};
+  known("the name of an output chooses its kind", kinds_by_name(), "0 1 2 3 4 5 6 7 9 10 11 ");
+  known("an output replaces its own kind alone", kinds_replaced(folder),
+        "/old: exists and is no PNG picture, so no earlier output; name another file, or remove it first");
+  known("a file appears when it is complete", written(folder),
+        "old old news by its link, mode 416, no part is left, another's stays, : is a folder; name a file, : cannot be "
+        "written: No such file or directory, a device");
+  known("a folder is one process's at a time", locked(folder), "refused, with the process, taken later");
+  known("a folder of outputs holds nothing that must stay", claimed(folder),
+        "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
+  return results;
+}
+
+}  // namespace tumble::golden

@@ -1,0 +1,116 @@
+#include <chrono>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "golden/canaries/known_answers.h"
+#include "golden/suite/temporary_folder.h"
+#include "golden/suite/text_files.h"
+#include "src/process/child.h"
+#include "src/process/child_pipe.h"
+#include "src/process/run_child.h"
+#include "tumble/process/job_pool.h"
+
+namespace tumble::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+// How a program of the shell ends, and what it wrote.
+std::string run(const fs::path& folder, const std::string& script, double timeout_s = 0,
+                const process::Cancel& cancel = {}) {
+  process::Program program;
+  program.words = {"sh", "-c", script};
+  program.folder = folder.string();
+  program.out = program.err = (folder / "said").string();
+  program.more = {{"TUMBLE_MORE", "more"}, {"HOME", "not mine"}};
+  program.set = {{"TUMBLE_SET", "set"}, {"TZ", "UTC"}};
+  const Result<process::ChildEnd> end = process::run_child(program, timeout_s, cancel);
+  if (!end.ok()) return end.error().message;
+  const process::ChildEnd known = process::behind_shell(*end);
+  const Result<std::string> said = read_text(folder / "said");
+  return known.text() + (known.stopped ? ", stopped" : "") + (known.well() ? ", well" : "") +
+         (said.ok() && !said->empty() ? ": " + *said : "") + "; ";
+}
+
+std::string ends(const fs::path& folder) {
+  std::string found = run(folder, "printf \"$TUMBLE_MORE $TUMBLE_SET $TZ\"; test \"$HOME\" != 'not mine'");
+  found += run(folder, "printf err >&2; exit 3");
+  found += run(folder, "kill -TERM $$");
+  found += run(folder, "exit 139");
+  found += run(folder, "exit 255");
+  found += run(folder, "sleep 60", 0.05);
+  found += run(folder, "sleep 60", 0, [] { return true; });
+  process::Program nobody;
+  nobody.words = {"tumble-no-such-program"};
+  const Result<process::ChildEnd> none = process::run_child(nobody);
+  return found + (none.ok() ? "started" : none.error().message);
+}
+
+std::string piped(const fs::path& folder) {
+  process::ChildPipe pipe;
+  const std::string place = (folder / "piped").string(), errors = (folder / "errors").string();
+  if (const Status ok =
+          pipe.start({"sh", "-c", "cat > '" + place + "'; echo why >&2; exit 0"}, "a movie", "sh", errors);
+      !ok.ok())
+    return ok.error().message;
+  const std::string text = "abc";
+  std::string found = pipe.running() && pipe.write(std::as_bytes(std::span(text))) ? "written, " : "not written, ";
+  found += pipe.finish() ? "well: " : "not well: ";
+  for (const std::string& file : {place, errors}) {
+    const Result<std::string> text_there = read_text(file);
+    found += text_there.ok() ? *text_there : "nothing";
+  }
+  if (pipe.start({"sh", "-c", "exit 1"}, "a movie", "sh", errors).ok()) found += pipe.finish() ? "well" : "failed";
+  const Status none = pipe.start({"tumble-no-such-program"}, "a movie", "its-package", errors);
+  return found + (none.ok() ? ", started" : ", " + none.error().message) + process::last_words("one\ntwo\n\n") +
+         process::last_words("");
+}
+
+std::string pooled() {
+  using namespace std::chrono_literals;
+  std::string found;
+  const auto done = [&found](std::size_t, const process::JobResult& job) { found += job.output + job.failure + "; "; };
+  process::PoolOptions options;
+  process::run_jobs(
+      3, [](std::size_t k) { return "job " + std::to_string(k); }, done, options);
+  process::run_jobs(
+      1, [](std::size_t) -> std::string { throw std::runtime_error("why"); }, done, options);
+  options.timeout_s = 0.05;
+  const auto sleep = [](std::size_t) {
+    std::this_thread::sleep_for(60s);
+    return std::string("late");
+  };
+  process::run_jobs(1, sleep, done, options);
+  options.timeout_s = 600;
+  options.cancel = [] { return true; };
+  found += process::run_jobs(2, sleep, done, options) ? "ended" : "cancelled";
+  return found;
+}
+
+}  // namespace
+
+std::vector<CanaryResult> run_known_processes() {
+  const TemporaryFolder scratch("tumble-canary");
+  std::vector<CanaryResult> results;
+  const auto known = [&results](const char* name, const std::string& found, std::string_view wanted) {
+    results.push_back({name, found == wanted, found});
+  };
+  if (scratch.path().empty()) return {{"programs end as they ended", false, "no temporary folder could be made"}};
+  known("a program that ends is told by its end", ends(scratch.path()),
+        "ended with status 0, well: more set UTC; ended with status 3: err; was ended by SIGTERM; was ended by "
+        "SIGSEGV; ended with status 255; took too long; was ended by SIGTERM, stopped; tumble-no-such-program cannot "
+        "be started: No such file or directory");
+  known("a program reads what is written to it", piped(scratch.path()),
+        "written, well: abcwhy\nfailed, a movie need tumble-no-such-program, which is not installed (Debian: apt-get "
+        "install its-package): two, and it said nothing; is the disk full?");
+  known("a job that fails harms no other", pooled(),
+        "job 0; job 1; job 2; ended with status 97 before it was done; took longer than 0 s; cancelled");
+  return results;
+}
+
+}  // namespace tumble::golden

@@ -1,0 +1,298 @@
+#include <array>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "golden/canaries/known_answers.h"
+#include "src/base/text.h"
+#include "src/model/camera.h"
+#include "src/world/memory_use.h"
+#include "tumble/sim/step.h"
+
+namespace tumble::golden {
+namespace {
+
+using sim::Vec3;
+using sim::World;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string told(const Status& status) { return status.ok() ? "taken" : status.error().message; }
+
+// A crate on the ground, one on it, a static box: enough for contacts, pairs and contact objects.
+sim::SceneDef crates(sim::Method method) {
+  sim::SceneDef scene;
+  scene.world.method = method;
+  scene.world.substeps = 2;
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    sim::BoxDef& box = scene.boxes.emplace_back();
+    box.id = id;
+    box.position = {id == 3 ? 1.5 : 0.0, 0, id == 2 ? 1.5 : 0.5};
+    box.is_static = id == 3;
+  }
+  scene.boxes[0].frozen = true;
+  return scene;
+}
+
+template <class Value>
+struct Wrong {
+  const char* name;
+  std::function<void(Value&)> spoil;
+  const char* message;
+};
+
+// Scenes that no file can hold, since the reader of scenes refuses them: from a log, or by another program.
+const std::vector<Wrong<sim::SceneDef>>& scenes() {
+  static const std::vector<Wrong<sim::SceneDef>> kScenes = {
+      {"as it must be", [](auto&) {}, "taken"},
+      {"two ids alike", [](auto& s) { s.boxes[1].id = 1; }, "body 1: ids must ascend and be unique"},
+      {"ids descend", [](auto& s) { s.boxes[2].id = 1; }, "body 1: ids must ascend and be unique"},
+      {"id 0", [](auto& s) { s.boxes[0].id = 0; }, "body 0: found this id, wanted 1 … 2^53 − 1"},
+      {"id 2^53", [](auto& s) { s.boxes[2].id = 1ULL << 53U; },
+       "body 9007199254740992: found this id, wanted 1 … 2^53 − 1"},
+      {"an edge too short", [](auto& s) { s.boxes[0].size.y() = 0.9e-4; },
+       "body 1: found an edge of 9e-05 m, wanted 0.0001 … 4096 m"},
+      {"an edge too long", [](auto& s) { s.boxes[0].size.z() = 4097; },
+       "body 1: found an edge of 4097 m, wanted 0.0001 … 4096 m"},
+      {"the longest edge", [](auto& s) { s.boxes[0].size.z() = 4096; }, "taken"},
+      {"no mass", [](auto& s) { s.boxes[0].mass = 0; }, "body 1: found a mass of 0 kg, wanted 1e-09 … 1e+12 kg"},
+      {"a mass too great", [](auto& s) { s.boxes[0].mass = 1.1e12; },
+       "body 1: found a mass of 1.1e+12 kg, wanted 1e-09 … 1e+12 kg"},
+      {"the least mass", [](auto& s) { s.boxes[0].mass = 1e-9; }, "taken"},
+      {"a position beyond", [](auto& s) { s.boxes[0].position.x() = 32769; },
+       "body 1: its position is not finite or beyond ±32768 m"},
+      {"a position that is no number", [](auto& s) { s.boxes[0].position.z() = kNone; },
+       "body 1: its position is not finite or beyond ±32768 m"},
+      {"a velocity beyond", [](auto& s) { s.boxes[1].velocity.y() = -8193; },
+       "body 2: its velocity is not finite or beyond ±8192 m/s"},
+      {"a spin beyond", [](auto& s) { s.boxes[1].spin.z() = 8193; },
+       "body 2: its spin is not finite or beyond ±8192 rad/s"},
+      {"no orientation",
+       [](auto& s) {
+         s.boxes[1].orientation = {0, 0, 0, 0};
+       },
+       "body 2: its orientation has no direction; use [1, 0, 0, 0]"},
+      {"friction below 0", [](auto& s) { s.boxes[1].material.friction = -0.1; },
+       "body 2: found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1"},
+      {"friction above 1000", [](auto& s) { s.boxes[1].material.friction_dynamic = 1001; },
+       "body 2: found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1"},
+      {"restitution above 1", [](auto& s) { s.boxes[1].material.restitution = 1.1; },
+       "body 2: found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1"},
+      {"no dt", [](auto& s) { s.world.dt = 0; }, "world: found a dt of 0 s, wanted 1e-07 … 1 s"},
+      {"no substeps", [](auto& s) { s.world.substeps = 0; }, "world: substeps must be 1 … 1024"},
+      {"too many substeps", [](auto& s) { s.world.substeps = 1025; }, "world: substeps must be 1 … 1024"},
+      {"gravity beyond", [](auto& s) { s.world.gravity.x() = 10001; },
+       "world: gravity must be finite and within ±10000 m/s²"},
+      {"a time below 0", [](auto& s) { s.world.freeze_time = -1; },
+       "world: freezing, slip and drag must be finite and not negative"},
+      {"a ground of no friction", [](auto& s) { s.world.ground_material.friction = kNone; },
+       "world: material out of range"},
+  };
+  return kScenes;
+}
+
+struct Input {
+  const char* name;
+  sim::Command command;
+  const char* message;
+};
+
+sim::BoxDef thrown(sim::BodyId id) {
+  sim::BoxDef box;
+  box.id = id;
+  box.position = {9, 9, 9};
+  return box;
+}
+
+const std::vector<Input>& inputs() {
+  static const std::vector<Input> kInputs = {
+      {"throw", sim::Throw{thrown(9)}, "taken"},
+      {"throw of an id that is taken", sim::Throw{thrown(2)}, "throw: found id 2 twice, wanted a new one"},
+      {"throw of id 0", sim::Throw{thrown(0)}, "body 0: found this id, wanted 1 … 2^53 − 1"},
+      {"push", sim::Push{2, {1, 0, 0}, true, {}}, "taken"},
+      {"push of nobody", sim::Push{8, {1, 0, 0}, true, {}},
+       "push: found id 8, wanted the id of a body that exists at this step"},
+      {"push of a static body", sim::Push{3, {1, 0, 0}, true, {}}, "push: body 3 is static"},
+      {"push that is no number", sim::Push{2, {kNone, 0, 0}, true, {}},
+       "push: found an impulse that is not finite, wanted N·s"},
+      {"push at a point beyond", sim::Push{2, {1, 0, 0}, false, {0, 32769, 0}},
+       "push: found a point that is not finite or beyond ±32768, wanted one within"},
+      {"push beyond all speeds", sim::Push{2, {9000, 0, 0}, true, {}},
+       "push: the impulse would take body 2 past 8192 m/s or rad/s; push less"},
+      {"a weak push of a body that sleeps", sim::Push{1, {0.01, 0, 0}, false, {0, 0.5, 0.5}}, "taken"},
+      {"remove of nobody", sim::Remove{8}, "remove: found id 8, wanted the id of a body that exists at this step"},
+      {"wake of nobody", sim::Wake{8}, "wake: found id 8, wanted the id of a body that exists at this step"},
+      {"set_velocity of nobody", sim::SetVelocity{8, {}, {}},
+       "set_velocity: found id 8, wanted the id of a body that exists at this step"},
+      {"set_velocity of a static body", sim::SetVelocity{3, {}, {}}, "set_velocity: body 3 is static"},
+      {"set_velocity beyond", sim::SetVelocity{2, {8193, 0, 0}, {}},
+       "set_velocity: found a velocity that is not finite or beyond ±8192, wanted one within"},
+      {"set_velocity with a spin beyond", sim::SetVelocity{2, {}, {0, 8193, 0}},
+       "set_velocity: found a spin that is not finite or beyond ±8192, wanted one within"},
+      {"set_gravity beyond", sim::SetGravity{{0, 0, -10001}},
+       "set_gravity: found a gravity that is not finite or beyond ±10000, wanted one within"},
+      {"set_dt of 0", sim::SetDt{0}, "set_dt: found 0 s, wanted 1e-07 … 1 s"},
+      {"set_dt of 2", sim::SetDt{2}, "set_dt: found 2 s, wanted 1e-07 … 1 s"},
+  };
+  return kInputs;
+}
+
+// Snapshots that no session wrote.
+const std::vector<Wrong<sim::WorldState>>& snapshots() {
+  static const std::vector<Wrong<sim::WorldState>> kSnapshots = {
+      {"as it must be", [](auto&) {}, "taken"},
+      {"a column too short", [](auto& s) { s.bodies.friction.pop_back(); },
+       "snapshot: the columns of the bodies differ in length"},
+      {"ids that do not ascend", [](auto& s) { s.bodies.id[1] = 1; },
+       "snapshot: ids do not ascend within 1 … 2^53 − 1"},
+      {"no substeps", [](auto& s) { s.def.substeps = 0; }, "world: substeps must be 1 … 1024"},
+      {"a position beyond", [](auto& s) { s.bodies.position.x[0] = -32769; },
+       "snapshot: body 1: found position (-32769, 0, 0.5) m, wanted finite and within ±32768 m; it left the world: "
+       "start nearer to the origin, stop it, or remove it before"},
+      {"a velocity beyond", [](auto& s) { s.bodies.velocity.x[1] = 8193; },
+       "snapshot: body 2: found velocity (8193, 0, 7.27595761e-12) m/s, wanted finite and within ±8192 m/s; use "
+       "smaller speeds, a smaller dt or less extreme masses"},
+      {"a spin that is no number", [](auto& s) { s.bodies.spin.x[1] = kNone; },
+       "snapshot: body 2: found spin (nan, 0, 0) rad/s, wanted finite and within ±8192 rad/s; use smaller speeds, a "
+       "smaller dt or less extreme masses"},
+      {"an orientation of no unit length", [](auto& s) { s.bodies.orientation.w[1] = 1.5; },
+       "snapshot: body 2: found an orientation of squared length 2.250000, wanted 1"},
+      {"no mass", [](auto& s) { s.bodies.mass[1] = 0; },
+       "snapshot: body 2 has a size, mass, inertia or material out of range"},
+      {"an inertia below 0", [](auto& s) { s.bodies.inertia.y[1] = -1; },
+       "snapshot: body 2 has a size, mass, inertia or material out of range"},
+      {"a flag of 2", [](auto& s) { s.bodies.frozen[0] = 2; },
+       "snapshot: body 1 has a size, mass, inertia or material out of range"},
+      {"a pair in the wrong order",
+       [](auto& s) { s.pairs.a.push_back(1), s.pairs.b.push_back(0), s.pairs.planes.push_back(0); },
+       "snapshot: pair 1 is out of order or out of range"},
+      {"pairs of two lengths", [](auto& s) { s.pairs.a.push_back(1); },
+       "snapshot: the columns of the pair list differ in length"},
+      {"a contact object of nobody",
+       [](auto& s) { s.contact_objects.body.push_back(9), s.contact_objects.object.push_back(0); },
+       "snapshot: contact object 0 is out of order or out of range"},
+      {"contact objects of two lengths", [](auto& s) { s.contact_objects.body.push_back(0); },
+       "snapshot: contact objects differ in length"},
+      {"contact memory of two lengths", [](auto& s) { s.contact_memory.a.push_back(0); },
+       "snapshot: the columns of the contact memory differ in length"},
+      {"contact memory without its points", [](auto& s) { s.contact_memory.count[0] += 1; },
+       "snapshot: the contact memory's points do not add up"},
+      {"contact memory of nobody", [](auto& s) { s.contact_memory.b[0] = 9; },
+       "snapshot: contact memory 0 is out of range"},
+  };
+  return kSnapshots;
+}
+
+const std::vector<Wrong<sim::Camera>>& cameras() {
+  static const std::vector<Wrong<sim::Camera>> kCameras = {
+      {"as it must be", [](auto&) {}, "taken"},
+      {"a position beyond", [](auto& c) { c.position.y() = 1.1e6; },
+       "camera position: found 0, 1100000, 2, wanted three coordinates up to 1e6 m"},
+      {"a target that is no number", [](auto& c) { c.target.x() = kNone; },
+       "camera target: found nan, 0, 1, wanted three coordinates up to 1e6 m"},
+      {"a target where the eye is", [](auto& c) { c.target = c.position; },
+       "camera position: found the target's, wanted two points, or there is no direction to look in"},
+      {"an angle too small", [](auto& c) { c.fov = 0.5; }, "camera fov: found 0.5, wanted a number from 1 to 170"},
+      {"a focus too near", [](auto& c) { c.focus = 0; },
+       "camera focus: found 0, wanted a number from 0.001 to 1000000"},
+      {"a blur below 0", [](auto& c) { c.blur = -1; }, "camera blur: found -1, wanted a number from 0 to 100"},
+  };
+  return kCameras;
+}
+
+// A copy of a world goes its own way, and both go the same one.
+std::string copied() {
+  Result<World> world = sim::create_world(crates(sim::Method::kLayered));
+  if (!world.ok()) return world.error().message;
+  if (const auto taken = sim::step(*world); !taken.ok()) return taken.error().message;
+  World copy = *world, other = copy;
+  if (const Status ok = sim::apply(copy, sim::Remove{2}); !ok.ok()) return ok.error().message;
+  other = *world;
+  for (World* each : {&*world, &other}) {
+    for (int k = 0; k < 30; ++k) {
+      if (const auto taken = sim::step(*each); !taken.ok()) return taken.error().message;
+    }
+  }
+  const auto& a = world->bodies();
+  const auto& b = other.bodies();
+  const bool alike = a.position.z == b.position.z && a.velocity.z == b.velocity.z && a.spin.x == b.spin.x;
+  return std::to_string(copy.bodies().size()) + " of " + std::to_string(a.size()) + (alike ? ", alike" : ", unlike");
+}
+
+// A world says what it holds: of twice the bodies about twice as much, and none of it twice.
+std::string held() {
+  std::string found;
+  for (const sim::Method method : {sim::Method::kThesis, sim::Method::kLayered}) {
+    std::array<double, 2> per_body{};
+    for (std::uint64_t k = 0; k < 2; ++k) {
+      sim::SceneDef scene = crates(method);
+      const std::uint64_t count = 200 << k;
+      for (std::uint64_t id = 4; id <= count; ++id) {
+        scene.boxes.push_back(scene.boxes[1]);
+        scene.boxes.back().id = id;
+        scene.boxes.back().position = {3.0 * static_cast<double>(id), 0, 0.5};
+      }
+      Result<World> world = sim::create_world(scene);
+      if (!world.ok()) return world.error().message;
+      if (const auto taken = sim::step(*world); !taken.ok()) return taken.error().message;
+      double bytes = 0;
+      for (const sim::MemoryPart& part : sim::memory_use(*world)) bytes += static_cast<double>(part.bytes);
+      per_body[k] = bytes / static_cast<double>(count);
+    }
+    const bool likely =
+        per_body[0] > 500 && per_body[0] < 6000 && per_body[1] > 0.5 * per_body[0] && per_body[1] < 2 * per_body[0];
+    found += likely ? "likely " : exact(per_body[0]) + " and " + exact(per_body[1]) + " bytes a body ";
+  }
+  return found;
+}
+
+// Asks for everything that is wrong; the first answer that is not the known one, "as known" if all are.
+template <class Value, class Take>
+std::string ask(const std::vector<Wrong<Value>>& all, const Value& good, Take take) {
+  for (const Wrong<Value>& one : all) {
+    Value value = good;
+    one.spoil(value);
+    const std::string found = told(take(value));
+    if (found != one.message) return std::string(one.name) + ": " + found;
+  }
+  return "as known";
+}
+
+std::string ask(const World& world) {
+  for (const Input& input : inputs()) {
+    World copy = world;
+    const std::string found = told(sim::apply(copy, input.command));
+    if (found != input.message) return std::string(input.name) + ": " + found;
+  }
+  return "as known";
+}
+
+template <class Value>
+Status status_of(const Result<Value>& result) {
+  return result.ok() ? Status() : Status(result.error());
+}
+
+}  // namespace
+
+std::vector<CanaryResult> run_known_worlds() {
+  std::vector<CanaryResult> results;
+  const auto known = [&results](const char* name, const std::string& found, std::string_view wanted = "as known") {
+    results.push_back({name, found == wanted, found});
+  };
+  Result<World> world = sim::create_world(crates(sim::Method::kLayered));
+  if (!world.ok() || !sim::step(*world).ok()) return {{"a world is made", false, told(status_of(world))}};
+  known("scenes that no file can hold are refused", ask(scenes(), crates(sim::Method::kThesis), [](const auto& scene) {
+          return status_of(sim::create_world(scene));
+        }));
+  known("inputs that cannot be are refused", ask(*world));
+  known("snapshots that no session wrote are refused",
+        ask(snapshots(), world->state(), [](const auto& state) { return status_of(World::restore(state)); }));
+  known("cameras that see nothing are refused",
+        ask(cameras(), sim::Camera{{0, -9, 2}, {0, 0, 1}, 50, 9, 1}, sim::check_camera));
+  known("a copy of a world goes its own way", copied(), "2 of 3, alike");
+  known("a world says how much memory it holds", held(), "likely likely ");
+  return results;
+}
+
+}  // namespace tumble::golden
