@@ -227,7 +227,7 @@ std::string held() {
     std::array<double, 2> per_body{};
     for (std::uint64_t k = 0; k < 2; ++k) {
       sim::SceneDef scene = crates(method);
-      const std::uint64_t count = 200 << k;
+      const std::uint64_t count = std::uint64_t{200} << k;
       for (std::uint64_t id = 4; id <= count; ++id) {
         scene.boxes.push_back(scene.boxes[1]);
         scene.boxes.back().id = id;
