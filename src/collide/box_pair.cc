@@ -9,9 +9,6 @@
 namespace tumble::sim {
 namespace {
 
-// |edge × edge|² below which best_of_all takes edges for parallel: their cross product is then mostly rounding.
-constexpr double kHardlyParallelSquared = 1e-16;
-
 constexpr int kNext[3] = {1, 2, 0};
 constexpr int kAfterNext[3] = {2, 0, 1};
 
@@ -138,11 +135,17 @@ BestAxes BoxPair::best_of_all() const {
 
 Vec3 BoxPair::normal(int axis) const {
   SIM_DCHECK(axis >= 6 || along(axis).has_direction, axis);
-  if (axis < 3) return offset_a_[axis] < 0 ? Vec3(-a_->axes[axis]) : a_->axes[axis];
-  if (axis < 6) return offset_b_[axis - 3] < 0 ? Vec3(-b_->axes[axis - 3]) : b_->axes[axis - 3];
-  const Vec3 edge = cross(a_->axes[(axis - 6) / 3], b_->axes[(axis - 6) % 3]);
+  return normal_along(*a_, *b_, offset_, axis);
+}
+
+Vec3 normal_along(const BoxFrame& a, const BoxFrame& b, const Vec3& offset, int axis) {
+  if (axis < 6) {
+    const Vec3& normal = axis < 3 ? a.axes[axis] : b.axes[axis - 3];
+    return dot(offset, normal) < 0 ? Vec3(-normal) : normal;
+  }
+  const Vec3 edge = cross(a.axes[(axis - 6) / 3], b.axes[(axis - 6) % 3]);
   const double scale = 1 / std::sqrt(dot(edge, edge));
-  return edge * (dot(offset_, edge) < 0 ? -scale : scale);
+  return edge * (dot(offset, edge) < 0 ? -scale : scale);
 }
 
 // The box test in lanes, of one lane.
@@ -178,6 +181,10 @@ void find_all_singly(BoxTests& tests) {
   for (std::size_t k = 0; k < tests.count; ++k) {
     tests.apart_along_facelike[k] = pair_of(tests, k).apart_along_facelike_edges() ? 1 : 0;
   }
+}
+
+void find_best_singly(BoxTests& tests) {
+  for (std::size_t k = 0; k < tests.count; ++k) put(tests.all, k, pair_of(tests, k).best_of_all());
 }
 
 }  // namespace tumble::sim

@@ -99,6 +99,9 @@ class BoxPair {
   double offset_b_[3];
 };
 
+/// BoxPair(a, b, offset).normal(axis), without the other axes.
+Vec3 normal_along(const BoxFrame& a, const BoxFrame& b, const Vec3& offset, int axis);
+
 /// BoxPair(a, b).separating(candidates); faster where the candidates are faces.
 AxisSet separating(const BoxFrame& a, const BoxFrame& b, AxisSet candidates);
 

@@ -63,31 +63,46 @@ V along_face(const Space<V>& offset, const Space<V>& normal, V half, const V (&o
 }
 
 template <class V>
-void find_faces_of(const LanePairs<V>& pairs, BoxTests& tests, std::size_t at) {
+void separate_faces(const LanePairs<V>& pairs, V* of_a, V* of_b) {
   const auto& p = pairs.product;
-  V of_a[3], of_b[3];
   for (int k = 0; k < 3; ++k) {
     of_a[k] = along_face(pairs.offset, pairs.a.axes[k], pairs.a.half[k], pairs.b.half, p[k][0], p[k][1], p[k][2]);
     of_b[k] = along_face(pairs.offset, pairs.b.axes[k], pairs.b.half[k], pairs.a.half, p[0][k], p[1][k], p[2][k]);
   }
+}
+
+template <class V>
+void find_faces_of(const LanePairs<V>& pairs, BoxTests& tests, std::size_t at) {
+  V of_a[3], of_b[3];
+  separate_faces(pairs, of_a, of_b);
   store_best(of_a, 1, tests.faces_of_a, at);
   store_best(of_b, 8, tests.faces_of_b, at);
 }
 
-// Along a's edge i crossed with b's edge j. Raises `apart` to 1 where that axis repeats a face and separates the boxes.
+// Along a's edge i crossed with b's edge j, whether or not that axis repeats a face. Writes the length of the product.
 template <int i, int j, class V>
-V along_edges(const LanePairs<V>& pairs, V& apart) {
+V along_edges(const LanePairs<V>& pairs, double least_squared, V& length) {
   constexpr int ia = (i + 1) % 3, ib = (i + 2) % 3, ja = (j + 1) % 3, jb = (j + 2) % 3;
   const auto& p = pairs.product;
   const Space<V> axis = cross(pairs.a.axes[i], pairs.b.axes[j]);
-  const V squared = dot(axis, axis), length = square_root(squared), scale = 1.0 / length;
-  const V offset = dot(pairs.offset, axis);
+  const V squared = dot(axis, axis);
+  length = square_root(squared);
+  const V scale = 1.0 / length, offset = dot(pairs.offset, axis);
   const V reach = (pairs.a.half[ia] * (p[ib][j] * scale) + pairs.a.half[ib] * (p[ia][j] * scale)) +
                   (pairs.b.half[ja] * (p[i][jb] * scale) + pairs.b.half[jb] * (p[i][ja] * scale));
+  const auto undirected = (squared < least_squared) | (offset == 0.0);
+  return undirected ? V{} + kNoDirection : absolute(offset) * scale - reach;
+}
+
+// Likewise, without axes that repeat a face. Raises `apart` to 1 where such an axis separates the boxes.
+template <int i, int j, class V>
+V along_true_edges(const LanePairs<V>& pairs, V& apart) {
+  constexpr int ia = (i + 1) % 3, ib = (i + 2) % 3, ja = (j + 1) % 3, jb = (j + 2) % 3;
+  const auto& p = pairs.product;
+  V length;
+  const V separation = along_edges<i, j>(pairs, kParallelSquared, length);
   const V most_along_face = larger(larger(p[ia][j], p[ib][j]), larger(p[i][ja], p[i][jb]));
-  const auto undirected = (squared < kParallelSquared) | (offset == 0.0);
   const auto facelike = most_along_face > kFaceLike * length;
-  const V separation = undirected ? V{} + kNoDirection : absolute(offset) * scale - reach;
   const V parted = separation >= 0.0 ? V{} + 1.0 : V{} + 0.0;
   apart = facelike ? larger(apart, parted) : apart;
   return facelike ? V{} + kNoDirection : separation;
@@ -96,9 +111,9 @@ V along_edges(const LanePairs<V>& pairs, V& apart) {
 template <class V>
 void find_edges_of(const LanePairs<V>& pairs, BoxTests& tests, std::size_t at, V& apart) {
   const V separation[9] = {
-      along_edges<0, 0>(pairs, apart), along_edges<0, 1>(pairs, apart), along_edges<0, 2>(pairs, apart),
-      along_edges<1, 0>(pairs, apart), along_edges<1, 1>(pairs, apart), along_edges<1, 2>(pairs, apart),
-      along_edges<2, 0>(pairs, apart), along_edges<2, 1>(pairs, apart), along_edges<2, 2>(pairs, apart)};
+      along_true_edges<0, 0>(pairs, apart), along_true_edges<0, 1>(pairs, apart), along_true_edges<0, 2>(pairs, apart),
+      along_true_edges<1, 0>(pairs, apart), along_true_edges<1, 1>(pairs, apart), along_true_edges<1, 2>(pairs, apart),
+      along_true_edges<2, 0>(pairs, apart), along_true_edges<2, 1>(pairs, apart), along_true_edges<2, 2>(pairs, apart)};
   store_best(separation, 64, tests.edges, at);
 }
 
@@ -127,10 +142,31 @@ void find_all(BoxTests& tests) {
   }
 }
 
+template <int kAxis, class V>
+void separate_edges(const LanePairs<V>& pairs, V* separation) {
+  if constexpr (kAxis < 9) {
+    V unused;
+    separation[kAxis] = along_edges<kAxis / 3, kAxis % 3>(pairs, kHardlyParallelSquared, unused);
+    separate_edges<kAxis + 1>(pairs, separation);
+  }
+}
+
+template <int kWidth>
+[[gnu::flatten]] void find_best(BoxTests& tests) {
+  using V = typename VectorOf<kWidth>::Type;
+  for (std::size_t at = 0; at < tests.count; at += kWidth) {
+    const LanePairs<V> pairs(tests, at);
+    V separation[15];
+    separate_faces(pairs, separation, separation + 3);
+    separate_edges<0>(pairs, separation + 6);
+    store_best(separation, 1, tests.all, at);
+  }
+}
+
 template <int kWidth>
 constexpr BoxTestKernels box_test_kernels_of() {
-  if constexpr (kWidth == 1) return {find_faces_singly, find_edges_singly, find_all_singly};
-  return {find_faces<kWidth>, find_edges<kWidth>, find_all<kWidth>};
+  if constexpr (kWidth == 1) return {find_faces_singly, find_edges_singly, find_all_singly, find_best_singly};
+  return {find_faces<kWidth>, find_edges<kWidth>, find_all<kWidth>, find_best<kWidth>};
 }
 
 }  // namespace

@@ -29,19 +29,23 @@ namespace {
 // Calls handle(V{}, batch, lane) for kWidth lanes at a time. The last lanes of a batch go to the narrowest vector that
 // holds them: one manifold takes longer in eight lanes than in one.
 template <int kWidth, class Handle>
-void for_packs_of(ContactBatch& batch, Handle handle) {
-  for (unsigned at = 0; at < batch.used; at += kWidth) {
-    const unsigned left = batch.used - at;
-    if (kWidth == 1 || left == 1) {
-      handle(VectorOf<1>::Type{}, batch, at);
-    } else if (kWidth == 2 || left == 2) {
-      handle(typename VectorOf < kWidth < 2 ? 1 : 2 > ::Type{}, batch, at);
-    } else if (kWidth == 4 || left <= 4) {
-      handle(typename VectorOf < kWidth < 4 ? 1 : 4 > ::Type{}, batch, at);
-    } else {
-      handle(typename VectorOf<kWidth>::Type{}, batch, at);
-    }
+void for_pack_at(ContactBatch& batch, unsigned at, Handle handle) {
+  const unsigned left = batch.used - at;
+  if (kWidth == 1 || left == 1) {
+    handle(VectorOf<1>::Type{}, batch, at);
+  } else if (kWidth == 2 || left == 2) {
+    handle(typename VectorOf < kWidth < 2 ? 1 : 2 > ::Type{}, batch, at);
+  } else if (kWidth == 4 || left <= 4) {
+    handle(typename VectorOf < kWidth < 4 ? 1 : 4 > ::Type{}, batch, at);
+  } else {
+    handle(typename VectorOf<kWidth>::Type{}, batch, at);
   }
+}
+template <int kWidth, class Handle>
+void for_packs_of(ContactBatch& batch, Handle handle) {
+  // A constant place costs no registers for the addresses of all columns.
+  if constexpr (kWidth == kLanes) return for_pack_at<kWidth>(batch, 0, handle);
+  for (unsigned at = 0; at < batch.used; at += kWidth) for_pack_at<kWidth>(batch, at, handle);
 }
 
 template <int kWidth, class Handle>
@@ -57,7 +61,8 @@ template <int kWidth>
 [[gnu::flatten]] Due solve_all(const ContactWork& work, Sweep sweep) {
   bool any_due = false, any_settled = false;
   for (std::size_t k = 0; k < work.count; ++k) {
-    const unsigned due = due_lanes(work.visit, work.sides[k]);
+    const bool passed_by = sweep == Sweep::kRestitution && !work.batches[k].bounces;
+    const unsigned due = passed_by ? 0 : due_lanes(work.visit, work.sides[k]);
     if (due == 0 && work.leaves_old) {
       any_settled = true;
       continue;
@@ -104,10 +109,18 @@ template <int kWidth>
 }
 
 template <int kWidth>
+[[gnu::flatten]] void begin_all_parting(const ContactWork& work) {
+  for (std::size_t k = 0; k < work.count; ++k) {
+    begin_parting<typename VectorOf<kWidth>::Type>(work, work.batches[k]);
+  }
+}
+
+template <int kWidth>
 constexpr ContactKernels contact_kernels_of() {
-  return {
-      prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>,   apply_outcomes<typename VectorOf<kWidth>::Type>,
-      move_on_all<kWidth>, renew_all<kWidth>, find_all_overlaps<kWidth>};
+  return {prepare_all<kWidth>,       solve_all<kWidth>,
+          warm_start_all<kWidth>,    apply_outcomes<typename VectorOf<kWidth>::Type>,
+          move_on_all<kWidth>,       renew_all<kWidth>,
+          find_all_overlaps<kWidth>, begin_all_parting<kWidth>};
 }
 
 }  // namespace

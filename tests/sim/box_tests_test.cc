@@ -137,11 +137,13 @@ TEST(BoxTests, EveryWidthGivesTheBitsOfBoxPair) {
       Pairs pairs(seed, 1 + seed % BoxTests::kMost);
       box_tests.find_faces(pairs.tests);
       box_tests.find_edges(pairs.tests);
+      box_tests.find_best(pairs.tests);
       for (std::size_t k = 0; k < pairs.tests.count; ++k) {
         const BoxPair pair = pairs.reference(k);
         ASSERT_TRUE(same(pair.best(kFacesOfA), pairs.tests.faces_of_a, k)) << name_of(width) << ", seed " << seed;
         ASSERT_TRUE(same(pair.best(kFacesOfB), pairs.tests.faces_of_b, k)) << name_of(width) << ", seed " << seed;
         ASSERT_TRUE(same(pair.best(kEdges), pairs.tests.edges, k)) << name_of(width) << ", seed " << seed;
+        ASSERT_TRUE(same(pair.best_of_all(), pairs.tests.all, k)) << name_of(width) << ", seed " << seed;
       }
       expect_all_together(box_tests, pairs, name_of(width));
     }

@@ -29,7 +29,9 @@ struct alignas(64) Lanes {
 /// One contact point of each manifold of a batch, with the fields of ManifoldPoint. A lane whose manifold has fewer
 /// points holds zeros, which give no impulse.
 struct PointBatch {
-  Lanes p, q, load, separation;
+  Lanes p, q;
+  Lanes load;  ///< as in ManifoldPoint; outside hard batches, part_overlaps puts the speed here that it wants, negated
+  Lanes separation;
   Lanes impulse;
   Lanes peak;      ///< N·s, the largest impulse of this step; 0: the point was never hit. Sweep::kPart leaves it alone
   Lanes mass;      ///< kg, effective along the normal, with the split masses

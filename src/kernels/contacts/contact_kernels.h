@@ -56,7 +56,7 @@ struct ContactKernels {
   /// Fills the fields that stay fixed during a step: masses, responses and approaches of points, friction centres.
   void (*prepare)(const ContactWork& work);
   /// Improves the impulses of the manifolds that are due, given the velocities of `bodies`; writes the changes to
-  /// `outcomes`. kNone: `outcomes` is old.
+  /// `outcomes`. kNone: `outcomes` is old. In kRestitution manifolds of batches that do not bounce are not due.
   Due (*solve)(const ContactWork& work, Sweep sweep);
   /// Writes the effect of the accumulated impulses to `outcomes`.
   void (*warm_start)(const ContactWork& work);
@@ -70,6 +70,10 @@ struct ContactKernels {
   /// Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, m, or
   /// 0.
   double (*find_overlaps)(const ContactWork& work);
+  /// Before the sweeps of kPart: lays the impulses aside, in the place of the largest ones, since no point has been hit
+  /// in this step yet, and starts from none. Outside hard batches computes the speed of each point that they want, in
+  /// the place of its load.
+  void (*begin_parting)(const ContactWork& work);
 };
 
 }  // namespace tumble::sim

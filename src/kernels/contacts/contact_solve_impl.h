@@ -81,7 +81,11 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
   V r[6];
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
   V unwanted[kPointsMax], changes[kPointsMax];
-  for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(work, m, m.points[k]);
+  if (kSweep == Sweep::kPart && !m.batch->hard) {
+    for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = m.get(m.points[k].load);  // begin_parting
+  } else {
+    for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(work, m, m.points[k]);
+  }
   const V u_before = u, w1_before = w1, w2_before = w2;
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
@@ -155,8 +159,23 @@ void solve(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep swee
   if (sweep != Sweep::kRestitution) {
     return batch.even ? solve_sweep<V, EvenBody>(work, batch, at, sweep) : solve_sweep<V, Body>(work, batch, at, sweep);
   }
-  if (batch.bounces) return solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
-  write_outcomes(work, Manifolds<V>(work, batch, at), Wrench<V>{});
+  solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
+}
+
+// The speeds that kPart wants stay as they are from sweep to sweep. Hard batches are hashed with all their columns.
+template <class V>
+void begin_parting(const ContactWork& work, const ContactBatch& batch) {
+  for (unsigned at = 0; at < kLanes; at += sizeof(V) / sizeof(double)) {
+    const V slop = load<V>(batch.slop.of + at);
+    for (unsigned k = batch.first; k < batch.first + batch.count; ++k) {
+      PointBatch& point = work.points[k];
+      if (!batch.hard) {
+        store(point.load.of + at, bias_of<Sweep::kPart>(work, load<V>(point.separation.of + at), slop));
+      }
+      store(point.peak.of + at, load<V>(point.impulse.of + at));
+      store(point.impulse.of + at, V{} + 0.0);
+    }
+  }
 }
 
 template <class V, template <class> class B>

@@ -65,6 +65,7 @@ class Builder {
 
   // Builds the manifolds of those fast pairs that come together in the substep.
   void build_fast(std::span<const ContactPair> pairs, std::span<const Approach> approaches) {
+    FastPairTests tests(scratch_, pairs, approaches);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto [i, j] = pairs[k];
       if (approaches[k].kind == Approach::Kind::kPassing) continue;
@@ -72,9 +73,7 @@ class Builder {
         ground(i);
         continue;
       }
-      const BoxPair boxes(scratch_.frames[i], scratch_.frames[j]);
-      tested_ = {boxes.best(kFacesOfA), boxes.best(kFacesOfB), boxes.best(kEdges), boxes.offset(), 0};
-      pair_ = &tested_;
+      pair_ = &tests.next();
       if (!pair(i, j) && approaches[k].kind == Approach::Kind::kMeeting) add_last(i, j);
     }
   }
@@ -279,7 +278,6 @@ class Builder {
   FreePaths paths_;
   double smallest_ = 0, turn_ = 0;  // m, of the pair at hand: smallest half extent, way of corners by turning
   Vec3 approach_ = Vec3::Zero();    // m/s, of the higher row against the lower
-  TestedPair tested_{};
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
   const Manifold empty_{};  // copying one is faster than making one

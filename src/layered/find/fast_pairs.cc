@@ -1,6 +1,8 @@
 #include "src/layered/find/fast_pairs.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "src/kernels/contacts/contact_batch.h"
 #include "src/layered/find/find_near_pairs.h"
@@ -68,21 +70,36 @@ bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, B
 }
 
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {
+  constexpr std::size_t kAtOnce = 256;
   const FreePaths paths(state, scratch, substep_s);
   const double fall = falling_reach(state.def, substep_s);
-  out.resize(scratch.fast.pairs.size());
-  const auto find = [&](const ContactPair& pair) -> Approach {
-    const auto [lo, hi] = pair;
-    if (!near(state, scratch, lo, hi, substep_s)) return {};
-    const double margin = holds_both(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
-    Approach approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
-    // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
+  const std::vector<ContactPair>& pairs = scratch.fast.pairs;
+  out.resize(pairs.size());
+  // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
+  const auto keep_near = [&](BodyIndex lo, BodyIndex hi, Approach& approach) {
     if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi))
       approach.kind = Approach::Kind::kNear;
-    return approach;
+  };
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    std::array<FreePaths::Query, kAtOnce> queries;
+    std::size_t count = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto [lo, hi] = pairs[k];
+      out[k] = {};
+      if (!near(state, scratch, lo, hi, substep_s)) continue;
+      const double margin = holds_both(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
+      if (hi == kGround) {
+        out[k] = paths.follow(kGround, lo, margin);
+        keep_near(lo, hi, out[k]);
+      } else {
+        queries[count++] = {lo, hi, margin, &out[k]};
+      }
+    }
+    paths.follow_all(std::span(queries).first(count));
+    for (const FreePaths::Query& of : std::span(queries).first(count)) keep_near(of.a, of.b, *of.approach);
   };
   for_ranges(scratch.workers, out.size(), kFastPairsAPart, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) out[k] = find(scratch.fast.pairs[k]);
+    for (; begin < end; begin += kAtOnce) find(begin, std::min(end, begin + kAtOnce));
   });
 }
 

@@ -1,11 +1,14 @@
 #include "src/layered/find/free_path.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 
 #include "src/collide/box_pair.h"
+#include "src/kernels/box_tests.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/free_flight.h"
 
@@ -14,6 +17,8 @@ namespace {
 
 constexpr double kTouching = 0.0001;  // m; the skin of contact_solve_impl.h
 constexpr int kFollowMax = 1 << 20;   // a pass a millimetre away at the limits of size and spin takes some 10,000
+
+constexpr double kRounding = 1e-6;  // more than the relative error of any bound, and m
 
 // The spin of a box with different moments stays below the square root of 3 times its spin at any other time.
 constexpr double kSpinGrowth = 1.75;
@@ -30,6 +35,13 @@ struct FreePaths::Flyer {
   Vec3 start = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s, at the start of the step
   Vec3 gain = Vec3::Zero();                            // m/s, until its end
   double radius = 0;
+};
+
+// Two bodies on their way.
+struct FreePaths::Course {
+  Flyer a, b;
+  double margin = 0, time = 0, nearest = std::numeric_limits<double>::infinity();
+  int advances = 0;
 };
 
 FreePaths::FreePaths(const WorldState& state, const Scratch& scratch, double dt_s)
@@ -76,44 +88,155 @@ void FreePaths::advance(Flyer& flyer, double time_s, double by_s) const {
   flyer.frame.axes = axes_of(flyer.orientation);
 }
 
-// A time within which the two do not touch. Writes their separation.
-double FreePaths::wait(const Flyer& a, const Flyer& b, double& separation) const {
+// A time within which the two do not touch. apart: the axes that keep them apart now.
+double FreePaths::wait(const Flyer& a, const Flyer& b, const BestAxes& apart) const {
   const auto along = [&](const Vec3& n) {
     const auto turning = [&](const Flyer& body) {
       return length(body.evenly ? cross(body.spin, n) : Vec3(body.spin * kSpinGrowth)) * body.radius;
     };
     const Vec3 approach = b.velocity - a.velocity;
     const double closing = (turning(a) + turning(b)) + (length(Vec3(b.gain - a.gain)) - dot(approach, n));
-    return closing > 0 ? separation / closing : dt_;
+    return closing > 0 ? apart.separation / closing : dt_;
   };
-  if (a.row == kGround) {
-    separation = b.frame.position.z() - reach_along(b.frame, 2);
-    return along({0, 0, 1});
-  }
-  const BoxPair boxes(a.frame, b.frame);
-  const BestAxes apart = boxes.best_of_all();
-  separation = apart.separation;
+  if (a.row == kGround) return along({0, 0, 1});
+  const Vec3 offset = b.frame.position - a.frame.position;
   double longest = 0;
   for (unsigned rest = apart.axes; rest != 0; rest &= rest - 1) {
-    longest = std::max(longest, along(boxes.normal(std::countr_zero(rest))));
+    longest = std::max(longest, along(normal_along(a.frame, b.frame, offset, std::countr_zero(rest))));
   }
   return longest;
 }
 
-Approach FreePaths::follow(BodyIndex a, BodyIndex b, double margin) const {
-  Flyer flyer_a = flyer(a), flyer_b = flyer(b);
-  double time = 0, nearest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kFollowMax; ++k) {
-    double separation = 0;
-    const double next = wait(flyer_a, flyer_b, separation);
-    if (separation <= kTouching) return {k > 0 ? Approach::Kind::kMeeting : Approach::Kind::kTouching, time};
-    nearest = std::min(nearest, separation);
-    if (time + next >= dt_) break;
-    advance(flyer_a, time, next);
-    advance(flyer_b, time, next);
-    time += next;
+// Moves both bodies as far as they surely do not touch; true: that was all, and `end` is what becomes of them.
+bool FreePaths::go_on(Course& course, const BestAxes& apart, Approach& end) const {
+  if (apart.separation <= kTouching) {
+    end = {course.advances > 0 ? Approach::Kind::kMeeting : Approach::Kind::kTouching, course.time};
+    return true;
   }
-  return {nearest <= margin ? Approach::Kind::kNear : Approach::Kind::kPassing, 0};
+  course.nearest = std::min(course.nearest, apart.separation);
+  const double next = wait(course.a, course.b, apart);
+  if (course.time + next >= dt_ || course.advances == kFollowMax) {
+    end = {course.nearest <= course.margin ? Approach::Kind::kNear : Approach::Kind::kPassing, 0};
+    return true;
+  }
+  advance(course.a, course.time, next);
+  advance(course.b, course.time, next);
+  course.time += next;
+  ++course.advances;
+  return false;
+}
+
+FreePaths::Course FreePaths::course(BodyIndex a, BodyIndex b, double margin) const {
+  Course course;
+  course.a = flyer(a);
+  course.b = flyer(b);
+  course.margin = margin;
+  return course;
+}
+
+Approach FreePaths::follow(BodyIndex a, BodyIndex b, double margin) const {
+  Course on = course(a, b, margin);
+  const auto apart = [&]() -> BestAxes {
+    if (a == kGround) return {0, on.b.frame.position.z() - reach_along(on.b.frame, 2)};
+    return BoxPair(on.a.frame, on.b.frame).best_of_all();
+  };
+  Approach end;
+  while (!go_on(on, apart(), end)) continue;
+  return end;
+}
+
+double FreePaths::way_most(BodyIndex a, BodyIndex b) const {
+  const Bodies& bodies = state_.bodies;
+  const auto turning = [&](BodyIndex i) {
+    if (!bodies.moves(i)) return 0.0;
+    return scratch_.turning[i] * (turns_evenly(bodies.inertia[i]) ? 1 : kSpinGrowth);
+  };
+  const auto velocity = [&](BodyIndex i) { return bodies.moves(i) ? bodies.velocity[i] : Vec3(Vec3::Zero()); };
+  // Gravity gives both the same, but to a body that does not move; air drag takes a part from each.
+  const double even = bodies.moves(a) && bodies.moves(b) ? 0 : length(state_.def.gravity) * dt_;
+  const double speed = length(velocity(b) - velocity(a)) * (1 + state_.def.air_drag * dt_) + even;
+  return (speed * dt_ + (turning(a) + turning(b))) * (1 + kRounding) + kRounding;
+}
+
+// What go_on tells of two bodies before it moves them. Returns the number of queries that are left.
+std::size_t FreePaths::leave_undecided(std::span<const Query> queries, const Query** undecided) const {
+  BoxTests tests;
+  tests.frames = scratch_.frames.data();
+  for (const Query& of : queries) {
+    const std::size_t k = tests.count++;
+    tests.a[k] = of.a;
+    tests.b[k] = of.b;
+    const Vec3 offset = scratch_.frames[of.b].position - scratch_.frames[of.a].position;
+    for (int axis = 0; axis < 3; ++axis) tests.offset[axis][k] = offset[axis];
+  }
+  kernels(scratch_.lanes).box_tests.find_best(tests);
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < queries.size(); ++k) {
+    const Query& of = queries[k];
+    const double separation = tests.all.separation[k];
+    if (separation <= kTouching) {
+      *of.approach = {Approach::Kind::kTouching, 0};
+    } else if (separation > way_most(of.a, of.b)) {
+      *of.approach = {separation <= of.margin ? Approach::Kind::kNear : Approach::Kind::kPassing, 0};
+    } else {
+      undecided[left++] = &of;
+    }
+  }
+  return left;
+}
+
+void FreePaths::follow_all(std::span<const Query> queries) const {
+  constexpr std::size_t kMost = 4 * BoxTests::kMost;
+  std::array<const Query*, kMost> undecided;
+  for (std::size_t begin = 0; begin < queries.size(); begin += kMost) {
+    const std::size_t end = std::min(queries.size(), begin + kMost);
+    std::size_t left = 0;
+    for (std::size_t k = begin; k < end; k += BoxTests::kMost) {
+      left += leave_undecided(queries.subspan(k, std::min(BoxTests::kMost, end - k)), undecided.data() + left);
+    }
+    follow_undecided(std::span(undecided).first(left));
+  }
+}
+
+// A pair that is done makes room for the next one, so that the lanes stay full.
+void FreePaths::follow_undecided(std::span<const Query* const> queries) const {
+  constexpr std::size_t kAtOnce = 16;
+  static_assert(kAtOnce <= BoxTests::kMost);
+  const BoxTestKernels& box_tests = kernels(scratch_.lanes).box_tests;
+  std::array<Course, kAtOnce> courses;
+  std::array<const Query*, kAtOnce> query{};
+  std::array<BoxFrame, 2 * kAtOnce> frames;
+  BoxTests tests;
+  tests.frames = frames.data();
+  std::size_t next = 0;
+  const auto fill = [&](std::size_t k) {
+    query[k] = queries[next++];
+    courses[k] = course(query[k]->a, query[k]->b, query[k]->margin);
+  };
+  for (; tests.count < kAtOnce && next < queries.size(); ++tests.count) fill(tests.count);
+  while (tests.count > 0) {
+    for (std::size_t k = 0; k < tests.count; ++k) {
+      const Course& on = courses[k];
+      const auto row = static_cast<std::uint32_t>(2 * k);
+      tests.a[k] = row;
+      tests.b[k] = row + 1;
+      frames[row] = on.a.frame;
+      frames[row + 1] = on.b.frame;
+      const Vec3 offset = on.b.frame.position - on.a.frame.position;
+      for (int axis = 0; axis < 3; ++axis) tests.offset[axis][k] = offset[axis];
+    }
+    box_tests.find_best(tests);
+    for (std::size_t k = tests.count; k-- > 0;) {
+      const BestAxes apart = {static_cast<AxisSet>(tests.all.axes[k]), tests.all.separation[k]};
+      if (!go_on(courses[k], apart, *query[k]->approach)) continue;
+      if (next < queries.size()) {
+        fill(k);
+      } else if (--tests.count != k) {
+        courses[k] = courses[tests.count];
+        query[k] = query[tests.count];
+      }
+    }
+  }
 }
 
 }  // namespace tumble::sim

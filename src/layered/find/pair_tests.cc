@@ -114,4 +114,33 @@ void PairTests::keep_near() {
   tests_.count = kept;
 }
 
+FastPairTests::FastPairTests(const Scratch& scratch, std::span<const ContactPair> pairs,
+                             std::span<const Approach> approaches)
+    : scratch_(scratch), pairs_(pairs), approaches_(approaches) {
+  tests_.frames = scratch.frames.data();
+}
+
+const TestedPair& FastPairTests::next() {
+  if (taken_ == tests_.count) refill();
+  SIM_DCHECK(taken_ < tests_.count, pair_);
+  const std::size_t k = taken_++;
+  const Vec3 offset(tests_.offset[0][k], tests_.offset[1][k], tests_.offset[2][k]);
+  tested_ = {best_of(tests_.faces_of_a, k), best_of(tests_.faces_of_b, k), best_of(tests_.edges, k), offset, 0};
+  return tested_;
+}
+
+void FastPairTests::refill() {
+  tests_.count = taken_ = 0;
+  for (; pair_ < pairs_.size() && tests_.count < BoxTests::kMost; ++pair_) {
+    const auto [a, b] = pairs_[pair_];
+    if (b == kGround || approaches_[pair_].kind == Approach::Kind::kPassing) continue;
+    const Vec3 offset = scratch_.frames[b].position - scratch_.frames[a].position;
+    const std::size_t k = tests_.count++;
+    tests_.a[k] = a;
+    tests_.b[k] = b;
+    for (int axis = 0; axis < 3; ++axis) tests_.offset[axis][k] = offset[axis];
+  }
+  kernels(scratch_.lanes).box_tests.find_all(tests_);
+}
+
 }  // namespace tumble::sim

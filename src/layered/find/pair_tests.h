@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "src/collide/box_pair.h"
 #include "src/kernels/box_tests.h"
@@ -58,6 +59,27 @@ class PairTests {
   bool near_[BoxTests::kMost];         // by pair, in the order added
   std::size_t asked_ = 0, added_ = 0;  // pairs
   std::size_t taken_ = 0;              // near pairs
+};
+
+/// Runs the box test over the fast pairs of two bodies that come together in a substep, many at a time in lanes. The
+/// arguments must outlive the object and must not change.
+class FastPairTests {
+ public:
+  FastPairTests(const Scratch& scratch, std::span<const ContactPair> pairs, std::span<const Approach> approaches);
+
+  /// The result for the next such pair; valid until the next call. Precondition: one is left.
+  const TestedPair& next();
+
+ private:
+  void refill();
+
+  const Scratch& scratch_;
+  std::span<const ContactPair> pairs_;
+  std::span<const Approach> approaches_;
+  std::size_t pair_ = 0;
+  BoxTests tests_;
+  std::size_t taken_ = 0;
+  TestedPair tested_{};
 };
 
 }  // namespace tumble::sim

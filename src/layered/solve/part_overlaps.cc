@@ -24,28 +24,14 @@ constexpr double kSweepsMost = 20;
 // them.
 int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
 
-// The overlaps are solved in the columns of the step's own impulses and motions, which wait meanwhile: impulses in the
-// place of the largest one, since no point has been hit in this step yet, motions in OverlapScratch.
-enum class Exchange { kBefore, kAfter };
-
-// Before, what OverlapScratch holds is rubbish of an earlier step, so zeros come in its place.
-void exchange(Scratch& scratch, Exchange when) {
+// The overlaps are solved in the columns of the step's own impulses and motions, which wait meanwhile: motions in
+// OverlapScratch, impulses as begin_parting says.
+void exchange_motions(Scratch& scratch, bool before) {
   OverlapScratch& own = scratch.overlaps;
-  std::vector<PointBatch>& points = scratch.contact_batches.points;
   std::vector<SolverBody>& bodies = scratch.solver_bodies;
-  const bool before = when == Exchange::kBefore;
-  for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      Lanes &impulse = points[k].impulse, &waiting = points[k].peak;
-      if (before) {
-        waiting = std::exchange(impulse, {});
-      } else {
-        impulse = std::exchange(waiting, {});
-      }
-    }
-  });
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      // What OverlapScratch holds before is rubbish of an earlier step, so zeros come in its place.
       if (before) own.velocity[i] = own.spin[i] = Vec3::Zero();
       std::swap(bodies[i].velocity, own.velocity[i]);
       std::swap(bodies[i].spin, own.spin[i]);
@@ -53,11 +39,26 @@ void exchange(Scratch& scratch, Exchange when) {
   });
 }
 
-void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
+void begin(Scratch& scratch, const ContactWork& work) {
   scratch.overlaps.velocity.resize(scratch.solver_bodies.size());
   scratch.overlaps.spin.resize(scratch.solver_bodies.size());
-  exchange(scratch, Exchange::kBefore);
+  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+    kernels(scratch.lanes).contacts.begin_parting(part_of(work, begin, end));
+  });
+  exchange_motions(scratch, true);
+}
+
+void end(Scratch& scratch) {
+  std::vector<PointBatch>& points = scratch.contact_batches.points;
+  for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) points[k].impulse = std::exchange(points[k].peak, {});
+  });
+  exchange_motions(scratch, false);
+}
+
+void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
   work.push_part = kPart;
+  begin(scratch, work);
   sweep_overlaps(scratch, work, more_sweeps(deepest));
   const auto move_on = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
@@ -67,7 +68,7 @@ void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
                     [&](std::size_t begin, std::size_t end) {
                       add_separations(scratch.contact_batches, begin, end, false, numbers);
                     });
-  exchange(scratch, Exchange::kAfter);
+  end(scratch);
 }
 
 // Takes from the motion of a body that was moved along `path` what a lift adds to its energy: from the speed along
