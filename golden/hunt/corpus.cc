@@ -150,7 +150,11 @@ Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& questi
   asked.scratch = scratch.path();
   CorpusResult out;
   out.scenes = scenes.size();
-  for (const std::string& name : names_of(question)) out.relations.emplace_back(name, Tally{});
+  if (question.engine) out.engine = question.engine->run;
+  for (const std::string& name : names_of(question)) {
+    out.relations.emplace_back(name, Tally{});
+    if (question.engine && is_claimed(question, name)) out.claimed.push_back(name);
+  }
   std::map<std::size_t, process::JobResult> done;
   const bool all = process::run_jobs(
       scenes.size(), [&](std::size_t k) { return judgements_text(judge_scene(asked, scenes[k])); },
@@ -160,7 +164,7 @@ Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& questi
   for (const auto& [k, result] : done) {
     const std::string file = (*files)[k].string();
     if (!result.failure.empty()) {
-      out.broken.push_back({file, "survives", broken(0, 0, "the program " + result.failure)});
+      out.broken.push_back({file, kSurvives, broken(0, 0, "the program " + result.failure)});
       continue;
     }
     Result<Judged> judged = judgements_from(result.output);
@@ -181,13 +185,23 @@ Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& questi
 }
 
 bool nothing_judged(const CorpusResult& result) {
-  const auto judged = [](const auto& row) { return row.second.held + row.second.broken > 0; };
-  return result.broken.empty() && std::ranges::none_of(result.relations, judged);
+  return nothing_judged(result.relations, result.engine, result.claimed);
+}
+
+bool claims_hold(const CorpusResult& result) {
+  return std::ranges::none_of(result.broken, [&result](const CorpusResult::Broken& one) {
+    return is_failure(one.relation, result.engine, result.claimed);
+  });
 }
 
 Json to_json(const CorpusResult& result) {
-  Json json = {
-      {"scenes", result.scenes}, {"refused", result.refused}, {"relations", Json::object()}, {"broken", Json::array()}};
+  Json json = {{"scenes", result.scenes}, {"refused", result.refused}};
+  if (!result.engine.empty()) {
+    json["engine"] = result.engine;
+    json["claimed"] = result.claimed;
+  }
+  json["relations"] = Json::object();
+  json["broken"] = Json::array();
   for (const auto& [name, tally] : result.relations) json["relations"][name] = to_json(tally);
   for (const CorpusResult::Broken& one : result.broken) {
     json["broken"].push_back({{"file", one.file}, {"relation", one.relation}, {"found", to_json(one.judgement)}});

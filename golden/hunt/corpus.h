@@ -42,9 +42,11 @@ class Corpus {
 /// The scenes of a folder judged, one a process.
 struct CorpusResult {
   std::size_t scenes = 0;
-  std::size_t refused = 0;  ///< by the engine
-  std::string refusal;      ///< the first
-  std::vector<std::pair<std::string, Tally>> relations;
+  std::size_t refused = 0;           ///< by the engine
+  std::string refusal;               ///< the first
+  std::string engine;                ///< the command of the engine; empty: this program is judged
+  std::vector<std::string> claimed;  ///< relations that the engine claims
+  Tallies relations;
   struct Broken {
     std::string file, relation;
     Judgement judgement;
@@ -56,7 +58,10 @@ Result<CorpusResult> judge_corpus(const std::filesystem::path& folder, const Que
                                   const process::PoolOptions& pool);
 Json to_json(const CorpusResult& result);
 
-/// Whether no scene was judged by any relation.
+/// Whether no session was judged by anything that is asked, as of a hunt.
 bool nothing_judged(const CorpusResult& result);
+
+/// False where a scene broke a relation; of an engine, one that it claims, or ended the program.
+bool claims_hold(const CorpusResult& result);
 
 }  // namespace tumble::hunt

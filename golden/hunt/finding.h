@@ -13,6 +13,10 @@ namespace tumble::hunt {
 
 using Json = nlohmann::ordered_json;
 
+/// The relation that a scene breaks which ends the program or hangs it. It has findings and no tally: the scene counts
+/// as not judged by every relation.
+inline constexpr const char* kSurvives = "survives";
+
 /// A scene that breaks a relation. Seed, number and the program's commit name the scene.
 struct Finding {
   std::uint64_t seed = 0, number = 0;

@@ -116,15 +116,21 @@ Json to_json(const HuntState& state) {
   return json;
 }
 
-bool nothing_judged(const HuntState& state) {
-  return std::ranges::none_of(state.relations, [&state](const auto& row) {
+bool is_failure(const std::string& relation, const std::string& engine, const std::vector<std::string>& claimed) {
+  return engine.empty() || relation == kSurvives || std::ranges::find(claimed, relation) != claimed.end();
+}
+
+bool nothing_judged(const Tallies& relations, const std::string& engine, const std::vector<std::string>& claimed) {
+  return std::ranges::none_of(relations, [&](const auto& row) {
     const auto& [name, tally] = row;
-    const bool asked = state.claimed.empty() || std::ranges::find(state.claimed, name) != state.claimed.end();
+    const bool asked = claimed.empty() || std::ranges::find(claimed, name) != claimed.end();
     // An engine that fails in every scene breaks `finishes`, and no session of it was judged.
-    const bool told = tally.broken > 0 && (state.engine.empty() || name != "finishes" || !state.claimed.empty());
+    const bool told = tally.broken > 0 && (engine.empty() || name != "finishes" || !claimed.empty());
     return asked && (tally.held > 0 || told);
   });
 }
+
+bool nothing_judged(const HuntState& state) { return nothing_judged(state.relations, state.engine, state.claimed); }
 
 Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where) {
   const auto differs = [&](const char* what, const std::string& found, const std::string& want) -> Status {

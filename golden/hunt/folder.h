@@ -61,6 +61,15 @@ struct HuntState {
 
 Json to_json(const HuntState& state);
 
+using Tallies = std::vector<std::pair<std::string, Tally>>;
+
+/// Whether a scene that breaks a relation is a failure: of this program (engine empty) always; of an engine where it
+/// claims the relation, or where the scene ended the program.
+bool is_failure(const std::string& relation, const std::string& engine, const std::vector<std::string>& claimed);
+
+/// nothing_judged() of tallies by relation.
+bool nothing_judged(const Tallies& relations, const std::string& engine, const std::vector<std::string>& claimed);
+
 /// Whether no session was judged by anything that is asked: no scene was there, the engine refused or failed all, or no
 /// relation could be asked. Of an engine with claims only these count.
 bool nothing_judged(const HuntState& state);

@@ -274,10 +274,7 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
 }
 
 bool claims_hold(const HuntState& state) {
-  const auto fails = [&state](const Finding& one) {
-    return state.engine.empty() || one.relation == kSurvives ||
-           std::ranges::find(state.claimed, one.relation) != state.claimed.end();
-  };
+  const auto fails = [&state](const Finding& one) { return is_failure(one.relation, state.engine, state.claimed); };
   return std::ranges::none_of(state.findings, fails) && std::ranges::none_of(state.beyond.findings, fails);
 }
 

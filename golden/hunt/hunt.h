@@ -38,8 +38,4 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen);
 /// program is no engine's to claim or to leave out.
 bool claims_hold(const HuntState& state);
 
-/// The relation that a scene breaks which ends the program or hangs it. It has findings and no tally: the scene counts
-/// as not judged by every relation.
-inline constexpr const char* kSurvives = "survives";
-
 }  // namespace tumble::hunt

@@ -18,10 +18,7 @@
 
 #include "src/base/check.h"
 #include "src/process/child.h"
-
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
+#include "src/process/parent_death.h"
 
 namespace tumble::process {
 namespace {
@@ -41,16 +38,14 @@ struct Child {
 
 /// Runs in the child. Never returns, and runs no destructor or exit handler of the parent's.
 [[noreturn]] void run_in_child(std::size_t index, const std::function<std::string(std::size_t)>& job, int out,
-                               unsigned cpu_s) {
+                               unsigned cpu_s, pid_t parent) {
   ::setpgid(0, 0);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   const rlimit time = {cpu_s, cpu_s + 1};
   if (cpu_s > 0) ::setrlimit(RLIMIT_CPU, &time);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(number, SIG_DFL);
-#ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
+  end_group_with_parent(parent);
   int status = 0;
   try {
     const std::string output = job(index) + kFinished;
@@ -90,11 +85,12 @@ class Pool {
     child.begin = Clock::now();
     std::array<int, 2> ends = {-1, -1};
     std::cout.flush();
+    const pid_t parent = ::getpid();
     if (::pipe2(ends.data(), O_CLOEXEC) == 0) {
       child.pid = ::fork();
       if (child.pid == 0) {
         ::close(ends[0]);
-        run_in_child(index, job_, ends[1], options_.cpu_s);
+        run_in_child(index, job_, ends[1], options_.cpu_s, parent);
       }
       ::close(ends[1]);
       child.pipe = ends[0];

@@ -21,8 +21,9 @@ struct PoolOptions {
 };
 
 /// Runs jobs 0 … count − 1, each in a forked child of its own, started in that order: a job that crashes or hangs harms
-/// no other. Calls `done` in this process as each of them ends, in the order in which they end. Returns false if
-/// cancelled. Precondition: the caller has no other threads, for fork() copies one alone.
+/// no other, and whatever ends this process ends them and the programs that they started (Linux). Calls `done` in this
+/// process as each of them ends, in the order in which they end. Returns false if cancelled. Precondition: the caller
+/// has no other threads, for fork() copies one alone.
 bool run_jobs(std::size_t count, const std::function<std::string(std::size_t)>& job,
               const std::function<void(std::size_t, const JobResult&)>& done, const PoolOptions& options);
 

@@ -8,8 +8,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <thread>
+
+#include "src/process/parent_death.h"
 
 namespace tumble::process {
 namespace {
@@ -64,6 +67,8 @@ Result<ChildEnd> run_child(const Program& program, double timeout_s, const Cance
   if (const int error = start(program, child); error != 0) {
     return cannot_finish(program.words[0] + " cannot be started: " + std::strerror(error));
   }
+  std::optional<GroupGuard> guard;  // without a group of its own it ends with ours
+  if (program.own_group) guard.emplace(child);
   return wait_until(program, child, timeout_s, cancel);
 }
 

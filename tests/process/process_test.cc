@@ -83,6 +83,44 @@ TEST(RunChild, WritesBothOutputsToFilesThatAreEmptiedFirst) {
   }
 }
 
+// What a child started writes a file two seconds later, unless it ended with the process that was killed.
+void expect_all_end_with(const std::string& file, const std::function<void(const Program&)>& run) {
+  const std::string late = testing::TempDir() + file, begun = late + ".begun";
+  std::filesystem::remove(late);
+  std::filesystem::remove(begun);
+  const Program engine = shell("(sleep 2; echo late >" + late + ") & echo >" + begun + "; sleep 60; true");
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    run(engine);
+    ::_exit(0);
+  }
+  for (int i = 0; i < 500 && !std::filesystem::exists(begun); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(std::filesystem::exists(begun));
+  ::kill(parent, SIGKILL);
+  EXPECT_EQ(wait_for(parent).signal, SIGKILL);
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  EXPECT_FALSE(std::filesystem::exists(late)) << "the program went on";
+}
+
+#ifdef __linux__
+TEST(RunChild, EndsWithAProcessThatIsKilled) {
+  expect_all_end_with("tumble_orphan.txt", [](const Program& engine) { static_cast<void>(run_child(engine)); });
+}
+
+TEST(JobPool, EndsWithAProcessThatIsKilled) {
+  expect_all_end_with("tumble_orphan_of_a_job.txt", [](const Program& engine) {
+    const auto job = [&engine](std::size_t) {
+      Program of_group = engine;
+      of_group.own_group = false;
+      return run_child(of_group)->text();
+    };
+    run_jobs(1, job, [](std::size_t, const JobResult&) {}, {});
+  });
+}
+#endif
+
 TEST(ChildPipe, FeedsAProgramAndSaysWhetherItEndedWell) {
   const std::string text = "fed\n";
   const std::string file = testing::TempDir() + "tumble_fed.txt";

@@ -99,6 +99,26 @@ TEST(HuntAnswers, NoArgumentIsIgnored) {
   expect_refused(merge, {"--against", TUMBLE_PROGRAM});
 }
 
+// Of an engine only what it claims is judged: in a folder of scenes as in a hunt.
+TEST(HuntAnswers, AFolderIsJudgedByTheClaimsOfAnEngine) {
+  const Workshop shop;
+  const auto judged = [&shop](const std::string& claims) {
+    shop.write("tumble.toml", "[engine]\nrun = \"'" TUMBLE_PROGRAM "' record {scene} -o {log} --quiet\"\n" + claims);
+    return shop.run({"hunt", "--engine", "--judge", kKnownScenes, "--relation", "unmet", "--relation", "slope",
+                     "--relation", "finishes", "--json"});
+  };
+  const Outcome measured = judged("");
+  EXPECT_EQ(measured.exit, 0) << measured.err;
+  EXPECT_GT(Json::parse(measured.out).at("relations").at("unmet").at("broken"), 0U);
+  EXPECT_EQ(judged("[engine.claims]\nunmet = false\n").exit, 0);
+  const Outcome claimed = judged("[engine.claims]\nunmet = true\n");
+  EXPECT_EQ(claimed.exit, 1) << claimed.err;
+  EXPECT_EQ(Json::parse(claimed.out).at("claimed"), Json({"unmet"}));
+  const Outcome none = judged("[engine.claims]\nslope = true\n");
+  EXPECT_EQ(none.exit, 4) << none.out;
+  EXPECT_TRUE(tells(none.err, "nothing was judged: no scene could be judged by what the engine claims: slope"));
+}
+
 // 1.6e-05 of an angular momentum.
 TEST(HuntAnswers, AFoundValueHasTheUnitOfItsQuantity) {
   const Workshop shop;

@@ -1,9 +1,12 @@
 // The relations of `tumble hunt --engine`: an engine that breaks one is seen to.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/program.h"
@@ -74,6 +77,23 @@ finishes = true
   const std::string what = json.at("findings").at(0).at("found").at("what");
   EXPECT_NE(what.find("ended with status 3; it printed: bad \uFFFD byte"), std::string::npos) << what;
 }
+
+#ifdef __linux__
+// kill -9 leaves neither the engine running nor what the engine started.
+TEST(HuntEngine, EndsWithAHuntThatIsKilled) {
+  const Workshop shop;
+  shop.write("tumble.toml", R"([engine]
+shell = true
+run = """(sleep 4; echo late >late) & echo >begun; sleep 60 # {scene} {log}"""
+)");
+  EXPECT_EQ(
+      shop.run_after("timeout --foreground -s KILL 2 \"$0\" \"$@\"; exit; ", {"hunt", "--engine", "--count", "1"}).exit,
+      128 + SIGKILL);
+  EXPECT_FALSE(shop.names_with("begun").empty());
+  std::this_thread::sleep_for(std::chrono::seconds(4));
+  EXPECT_TRUE(shop.names_with("late").empty()) << "the engine went on";
+}
+#endif
 
 // Each law is asked of a session in which a body is nowhere from step 2 on.
 TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {

@@ -97,8 +97,9 @@ Result<Exit> judge_folder(const HuntCommand& options) {
   const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how->question, how->pool);
   if (!result.ok()) return result.error();
   options.json ? print_json("hunt", hunt::to_json(*result)) : print_corpus(*result);
+  if (!hunt::claims_hold(*result)) return Exit::kDifference;
   if (hunt::nothing_judged(*result)) return cannot_finish(nothing_judged_text(*result));
-  return result->broken.empty() ? Exit::kSame : Exit::kDifference;
+  return Exit::kSame;
 }
 
 Result<Exit> merge_corpora(const HuntCommand& options) {

@@ -36,8 +36,7 @@ void print_group(const hunt::FindingGroup& group, const std::string& folder) {
 }
 
 // claimed: of an engine; null: all are.
-void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relations,
-                   const std::vector<std::string>* claimed = nullptr) {
+void print_tallies(const hunt::Tallies& relations, const std::vector<std::string>* claimed) {
   std::vector<std::string> head = {"RELATION", ">HELD", ">BROKEN", ">NOT JUDGED", ">NEAREST", "SCENE"};
   if (claimed != nullptr) head.insert(head.begin() + 1, "CLAIMED");
   Table table(head);
@@ -57,13 +56,25 @@ void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relat
 }
 
 // The claims that no scene could be judged by; empty: each was.
-std::string claims_not_judged(const hunt::HuntState& state) {
+std::string claims_not_judged(const hunt::Tallies& relations, const std::vector<std::string>& claimed) {
   std::string names;
-  for (const auto& [name, tally] : state.relations) {
-    if (std::ranges::find(state.claimed, name) == state.claimed.end() || tally.held + tally.broken > 0) continue;
+  for (const auto& [name, tally] : relations) {
+    if (std::ranges::find(claimed, name) == claimed.end() || tally.held + tally.broken > 0) continue;
     names += (names.empty() ? "" : ", ") + name;
   }
   return names;
+}
+
+bool reached_an_end(const hunt::Tallies& relations) {
+  return std::ranges::any_of(relations, [](const auto& row) { return row.first == "finishes" && row.second.held > 0; });
+}
+
+constexpr const char* kNoClaimJudged = "no scene could be judged by what the engine claims: ";
+constexpr const char* kNoEndReached = "the engine came to the end of no scene that it could be judged by; ";
+
+void print_claims_not_judged(const hunt::Tallies& relations, const std::vector<std::string>& claimed) {
+  if (const std::string names = claims_not_judged(relations, claimed); !names.empty())
+    std::cout << "\nno scene could be judged by these claims: " << names << '\n';
 }
 
 std::string why_nothing(const hunt::HuntState& state, std::optional<std::uint64_t> count) {
@@ -76,12 +87,21 @@ std::string why_nothing(const hunt::HuntState& state, std::optional<std::uint64_
   if (state.refused == state.next)
     return "the engine refused each of " + count_text(state.next, "scene") + ", " + state.refusal;
   const auto fails = std::ranges::find(state.findings, "finishes", &hunt::Finding::relation);
-  if (!state.engine.empty() && fails != state.findings.end()) {
-    return "the engine came to the end of no scene that it could be judged by; scene " + std::to_string(fails->number) +
-           ": " + describe(fails->judgement);
+  if (!state.engine.empty() && fails != state.findings.end() && !reached_an_end(state.relations)) {
+    return kNoEndReached + ("scene " + std::to_string(fails->number)) + ": " + describe(fails->judgement);
   }
-  if (!state.claimed.empty()) return "no scene could be judged by what the engine claims: " + claims_not_judged(state);
+  if (!state.claimed.empty()) return kNoClaimJudged + claims_not_judged(state.relations, state.claimed);
   return "no relation or law could be asked of any scene";
+}
+
+std::string why_nothing(const hunt::CorpusResult& result) {
+  const std::string all = count_text(result.scenes, "scene");
+  if (result.refused == result.scenes) return "the engine refused each of " + all + ", " + result.refusal;
+  const auto fails = std::ranges::find(result.broken, "finishes", &hunt::CorpusResult::Broken::relation);
+  if (!result.engine.empty() && fails != result.broken.end() && !reached_an_end(result.relations))
+    return kNoEndReached + fails->file + ": " + describe(fails->judgement);
+  if (!result.claimed.empty()) return kNoClaimJudged + claims_not_judged(result.relations, result.claimed);
+  return "no relation or law could be asked of any of " + all;
 }
 
 }  // namespace
@@ -91,10 +111,7 @@ std::string nothing_judged_text(const hunt::HuntState& state, std::optional<std:
 }
 
 std::string nothing_judged_text(const hunt::CorpusResult& result) {
-  const std::string all = count_text(result.scenes, "scene");
-  return "nothing was judged: " + printable(result.refused == result.scenes
-                                                ? "the engine refused each of " + all + ", " + result.refusal
-                                                : "no relation or law could be asked of any of " + all);
+  return "nothing was judged: " + printable(why_nothing(result));
 }
 
 void print_finding(const hunt::Finding& finding) {
@@ -131,14 +148,13 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   for (const hunt::FindingGroup& group : hunt::grouped(state.findings)) print_group(group, folder);
   print_beyond(state.beyond);
   if (nothing_judged(state)) return;
-  if (const std::string names = claims_not_judged(state); !names.empty())
-    std::cout << "\nno scene could be judged by these claims: " << names << '\n';
+  print_claims_not_judged(state.relations, state.claimed);
   if (!state.findings.empty() || !state.beyond.findings.empty()) return;
   std::cout << "\nno scene broke a relation that it was judged by\n";
 }
 
 void print_corpus(const hunt::CorpusResult& result) {
-  print_tallies(result.relations);
+  print_tallies(result.relations, result.engine.empty() ? nullptr : &result.claimed);
   if (nothing_judged(result)) return;
   std::cout << '\n' << count_text(result.scenes, "scene") << ", " << result.broken.size() << " broken\n";
   if (result.refused > 0)
@@ -146,6 +162,7 @@ void print_corpus(const hunt::CorpusResult& result) {
   for (const hunt::CorpusResult::Broken& one : result.broken) {
     std::cout << printable(one.file) << ": " << one.relation << ": " << printable(describe(one.judgement)) << '\n';
   }
+  print_claims_not_judged(result.relations, result.claimed);
 }
 
 void print_relations() {
