@@ -122,7 +122,9 @@ Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
   const Result<CaseRules> rules = parse_rules(*text, path);
   if (!rules.ok()) return rules.error();
   std::vector<std::optional<double>> values;
-  for (const MetricResult& metric : handed.result.metrics) values.push_back(metric.value);
+  for (const MetricResult& metric : handed.result.metrics) {
+    if (!metric.rule.is_law) values.push_back(metric.value);
+  }
   if (values.size() != rules->metrics.size()) return cannot_finish(path + ": changed while it was read");
   return with_values(*text, path, *rules, values);
 }

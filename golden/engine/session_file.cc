@@ -142,6 +142,16 @@ std::string text_of(const std::string& path) {
 
 }  // namespace
 
+const char* ending_of_session(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 2> start = {};
+  file.read(start.data(), start.size());
+  if (start == std::array{'P', 'K'}) return ".npz";
+  const FileKind kind = kind_of(path);
+  if (kind == FileKind::kTable) return ".csv";
+  return kind == FileKind::kLog ? ".tumble" : ".tumblestream";
+}
+
 Result<SessionLog> log_of_session(const std::string& path, const std::string& converted, replay::LogReader* like) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return cannot_finish("wrote no log");

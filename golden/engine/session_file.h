@@ -20,6 +20,9 @@ struct SessionLog {
   std::string refused;
 };
 
+/// ".tumble", ".tumblestream", ".npz" or ".csv", by the first bytes of what an engine wrote.
+const char* ending_of_session(const std::string& path);
+
 /// A log of the session that an engine wrote to `path`: the file itself where it is a log; else a recorder's stream
 /// or a table of comma-separated values, converted to a log at `converted`. like: gives the keys, dt, sizes and masses
 /// that the table lacks; may be null. Errors: kCannotFinish where there is no file or an empty one; kDamaged: a stream

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "golden/hunt/engine/kept_run.h"
 #include "golden/hunt/scene/grammar.h"
 
 namespace tumble::hunt {
@@ -26,7 +27,8 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
   for (std::uint64_t at = first; at < first + scenes && !enough(); ++at) {
     const std::uint64_t number = share.number(at);
     const Result<TextScene> scene = drawn_scene(seed, number);
-    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}, {}};
+    const Judged judged =
+        scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}, {}, {}};
     if (!judged.unable.empty()) {
       batch.unable = "scene " + std::to_string(number) + ": " + judged.unable;
       return batch;
@@ -36,6 +38,7 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
       batch.refusal = "scene " + std::to_string(number) + ": " + judged.problem;
     if (!judged.problem.empty() && !judged.refused) ++batch.no_scenes;
     bool broke = !judged.problem.empty();
+    const std::size_t known = batch.findings.size();
     for (std::size_t k = 0; k < judged.judgements.size(); ++k) {
       const auto& [name, one] = judged.judgements[k];
       batch.tallies[k].count(one, number);
@@ -49,6 +52,8 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
       finding.judgement = one;
       batch.findings.push_back(std::move(finding));
     }
+    if (batch.findings.size() > known && judged.ran && !question.runs.empty())
+      set_aside(*judged.ran, question.runs / std::to_string(number));
     if (!broke && with_features) batch.features.emplace_back(number, judged.features);
   }
   return batch;

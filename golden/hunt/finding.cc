@@ -47,6 +47,7 @@ Json to_json(const Judgement& judgement) {
 Json to_json(const Finding& finding) {
   Json json = {{"name", name_of(finding)}, {"relation", finding.relation}, {"seed", finding.seed},
                {"number", finding.number}, {"kind", finding.kind},         {"found", to_json(finding.judgement)}};
+  if (!finding.engine_files.empty()) json["engine_files"] = finding.engine_files;
   json["shrunk"] = nullptr;
   if (!finding.shrunk()) return json;
   json["shrunk"] = {{"scene", finding.shrunk_text}, {"found", to_json(finding.shrunk_judgement)},
@@ -78,6 +79,7 @@ Finding finding_from(const Json& json) {
   out.number = json.at("number");
   out.kind = json.at("kind");
   out.judgement = judgement_from(json.at("found"));
+  out.engine_files = json.value("engine_files", std::vector<std::string>{});
   const Json& shrunk = json.at("shrunk");
   if (shrunk.is_null()) return out;
   out.shrunk_text = shrunk.at("scene");
@@ -87,17 +89,6 @@ Finding finding_from(const Json& json) {
   out.tried = shrunk.at("tried");
   out.least = shrunk.at("least");
   return out;
-}
-
-std::string describe(const Judgement& judgement) {
-  std::string text = "step " + std::to_string(judgement.step);
-  if (!judgement.phase.empty()) text += ", phase " + judgement.phase;
-  if (judgement.body != 0) text += ", body " + std::to_string(judgement.body);
-  text += ": " + judgement.what;
-  if (judgement.bound > 0) {
-    text += ": " + rounded(judgement.value, judgement.unit) + ", allowed " + rounded(judgement.bound, judgement.unit);
-  }
-  return text;
 }
 
 namespace {
@@ -112,7 +103,8 @@ constexpr LawMetric kLawMetrics[] = {{"energy", "gain_max"},
                                      {"overlap", "ground_penetration_peak"},
                                      {"standing", "drift_max"}};
 
-// Rules by which the case fails until what was found is mended; a comment where no metric measures it.
+// Rules by which the case fails until what was found is mended; a comment where another build is part of what was
+// found.
 std::string rules_of_law(const std::string& law, double bound) {
   std::string text;
   for (const LawMetric& one : kLawMetrics) {
@@ -121,21 +113,19 @@ std::string rules_of_law(const std::string& law, double bound) {
             "\nwhy = \"the bound of the law '" + law + "' in this scene; bless refuses what is beyond it\"\n";
   }
   if (!text.empty()) return text;
-  return "# No metric measures this: a golden that is blessed before it is mended accepts it. `tumble hunt --judge "
-         "FOLDER\n"
-         "# --relation " +
-         law + "` judges the scene itself.\n";
+  if (find_relation(law) != nullptr) return "\n[laws]\n" + law + " = true\n";
+  return "# No rule judges this: a golden that is blessed before it is mended accepts it.\n";
 }
 
 }  // namespace
 
-std::string case_rules(const Finding& finding) {
+std::string case_rules(const Finding& finding, bool of_engine) {
   const Judgement& found = finding.shrunk() ? finding.shrunk_judgement : finding.judgement;
   std::string what;
   for (const char c : printable(describe(found))) what += c == '"' || c == '\\' ? '\'' : c;
   return "# Found by `tumble hunt`: seed " + std::to_string(finding.seed) + ", scene " +
          std::to_string(finding.number) + "; broke \"" + finding.relation + "\".\n# " + what + "\n" +
-         rules_of_law(finding.relation, found.bound) +
+         (of_engine ? "\n[engine]\nscene = \"scene.toml\"\n" : "") + rules_of_law(finding.relation, found.bound) +
          "\n[[metric]]\nname = \"lost\"\nmax = 0.0\nwhy = \"nothing falls through the ground or through another "
          "body\"\n";
 }

@@ -23,7 +23,8 @@ struct Finding {
   std::string relation;
   std::string kind;  ///< the arrangement, the first word of the scene's title
   Judgement judgement;
-  std::string shrunk_text;  ///< TOML; empty: not shrunk
+  std::vector<std::string> engine_files;  ///< in the folder's findings/: what the engine wrote and printed
+  std::string shrunk_text;                ///< TOML; empty: not shrunk
   Judgement shrunk_judgement;
   std::size_t bodies = 0;   ///< of the shrunk scene
   std::uint64_t steps = 0;  ///< likewise
@@ -56,10 +57,7 @@ std::string whole_text(const Json& json);
 /// Throws Json::exception where a key is missing.
 Finding finding_from(const Json& json);
 
-/// "step 12, phase push_contacts, body 3: momentum changed: 0.02 kg m/s, allowed 1e-9"
-std::string describe(const Judgement& judgement);
-
-/// metrics.toml of the case that the finding becomes.
-std::string case_rules(const Finding& finding);
+/// metrics.toml of the case that the finding becomes: of the engine of a tumble.toml, or of this program.
+std::string case_rules(const Finding& finding, bool of_engine);
 
 }  // namespace tumble::hunt

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "golden/bundle/sealed_text.h"
+#include "golden/hunt/engine/kept_run.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
 
 namespace tumble::hunt {
 namespace {
 
+constexpr const char* kFindings = "findings";
 constexpr int kFormat = 2;
 
 HuntState state_from(const Json& json) {
@@ -198,12 +200,19 @@ Result<HuntState> Folder::open(HuntState fresh) const {
   return kept;
 }
 
-Status Folder::write(const Finding& finding, const std::string& drawn) const {
+Status Folder::keep(const std::filesystem::path& place, Finding& finding) const {
+  Result<std::vector<std::string>> names = keep_run(place, path_ / kFindings, name_of(finding));
+  if (!names.ok()) return names.error();
+  finding.engine_files = *std::move(names);
+  return {};
+}
+
+Status Folder::write(const Finding& finding, const std::string& drawn, bool of_engine) const {
   const std::string name = name_of(finding);
-  if (Status ok = golden::write_file(path_ / "findings" / (name + ".toml"), drawn); !ok.ok()) return ok;
+  if (Status ok = golden::write_file(path_ / kFindings / (name + ".toml"), drawn); !ok.ok()) return ok;
   if (!finding.shrunk()) return {};
   const std::filesystem::path folder = path_ / "cases" / name;
-  if (Status ok = golden::write_file(folder / "metrics.toml", case_rules(finding)); !ok.ok()) return ok;
+  if (Status ok = golden::write_file(folder / "metrics.toml", case_rules(finding, of_engine)); !ok.ok()) return ok;
   return golden::write_file(folder / "scene.toml", finding.shrunk_text);
 }
 

@@ -84,7 +84,7 @@ inline constexpr const char* kLockFile = "hunt.lock";
 /// A folder that keeps a hunt:
 ///
 ///     hunt.json              the state, replaced at once after each round
-///     findings/NAME.toml     the scene as it was drawn
+///     findings/NAME.toml     the scene as it was drawn; beside it what an engine wrote and printed (keep_run())
 ///     cases/NAME/scene.toml  the shrunk scene, and metrics.toml: a case ready for `tumble bless --suite FOLDER`
 ///
 /// hunt.json ends with a hash of its text. Errors (kBadInput): a folder that holds another hunt, or a file that cannot
@@ -101,8 +101,12 @@ class Folder {
   [[nodiscard]] Result<HuntState> load() const;
 
   /// Writes the files of a finding, then nothing else refers to it until save().
-  [[nodiscard]] Status write(const Finding& finding, const std::string& drawn) const;
+  [[nodiscard]] Status write(const Finding& finding, const std::string& drawn, bool of_engine) const;
   [[nodiscard]] Status save(const HuntState& state) const;
+
+  /// Keeps the run of an engine that set_aside() put into `place` beside the scene of a finding, and names its files
+  /// there.
+  [[nodiscard]] Status keep(const std::filesystem::path& place, Finding& finding) const;
 
  private:
   std::filesystem::path path_;

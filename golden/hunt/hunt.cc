@@ -29,7 +29,8 @@ constexpr double kRoundShort = 2, kRoundLong = 20;  // s
 constexpr unsigned kBatchPatience = 120, kScenePatience = 60, kShrinkPatience = 600;
 constexpr double kStretch = 20;
 constexpr double kUsualSeconds = 60;
-constexpr double kLateMost = 60;  // s after the time, at which a scene that was begun is given up
+constexpr std::uint64_t kRunsKept = 3;  // of each relation and phase: a folder of thousands of findings stays small
+constexpr double kLateMost = 60;        // s after the time, at which a scene that was begun is given up
 
 template <class Sum>
 void add_refused(std::uint64_t refused, const std::string& refusal, Sum& sum) {
@@ -47,6 +48,7 @@ class Hunt {
         begin_(Clock::now()) {
     for (const Finding& one : state_.findings) {
       if (one.shrunk()) ++shrunk_[{one.relation, one.judgement.phase}];
+      if (!one.engine_files.empty()) ++runs_kept_[{one.relation, one.judgement.phase}];
     }
   }
 
@@ -210,10 +212,21 @@ class Hunt {
         pool(kShrinkPatience, true));
     for (Finding& one : fresh) {
       if (Status ok = write(one); !ok.ok()) return ok;
+      if (Status ok = keep_run_of(one); !ok.ok()) return ok;
       if (options_.found) options_.found(one);
       state_.findings.push_back(std::move(one));
     }
+    std::error_code ignored;
+    if (!options_.question.runs.empty()) std::filesystem::remove_all(options_.question.runs, ignored);
     return save();
+  }
+
+  // What the engine wrote and printed in the first scenes that break a relation in a phase.
+  Status keep_run_of(Finding& finding) {
+    std::uint64_t& seen = runs_kept_[{finding.relation, finding.judgement.phase}];
+    if (options_.question.runs.empty() || finding.relation == kSurvives || seen >= kRunsKept) return {};
+    ++seen;
+    return folder_.keep(options_.question.runs / std::to_string(finding.number), finding);
   }
 
   [[nodiscard]] Status save() const { return options_.folder.empty() ? Status{} : folder_.save(state_); }
@@ -221,7 +234,7 @@ class Hunt {
   Status write(const Finding& finding) {
     if (options_.folder.empty()) return {};
     const Result<TextScene> drawn = drawn_scene(finding.seed, finding.number);
-    return drawn.ok() ? folder_.write(finding, drawn->text) : Status(drawn.error());
+    return drawn.ok() ? folder_.write(finding, drawn->text, !state_.engine.empty()) : Status(drawn.error());
   }
 
   const HuntOptions& options_;
@@ -229,8 +242,8 @@ class Hunt {
   Folder folder_;
   std::optional<Corpus> corpus_;
   Clock::time_point begin_;
-  std::uint64_t a_batch_ = 2;  // scenes
-  std::map<std::pair<std::string, std::string>, std::uint64_t> shrunk_;
+  std::uint64_t a_batch_ = 2;                                                        // scenes
+  std::map<std::pair<std::string, std::string>, std::uint64_t> shrunk_, runs_kept_;  // by relation and phase
 };
 
 }  // namespace
@@ -265,6 +278,8 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
   std::optional<golden::TemporaryFolder> scratch;  // goes with this process, however those end that judge
   if (options.question.engine || !fresh.against.empty())
     options.question.scratch = scratch.emplace("tumble-hunt").path();
+  const std::filesystem::path& place = options.question.scratch;
+  if (options.question.engine && !options.folder.empty() && !place.empty()) options.question.runs = place / "runs";
   if (options.folder.empty()) return Hunt(options, std::move(fresh), std::move(corpus)).run();
   const Result<files::FolderLock> lock = files::FolderLock::take(options.folder, kLockFile, "a hunt");
   if (!lock.ok()) return lock.error();

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <string_view>
 
-#include "golden/hunt/engine/engine_relations.h"
+#include "golden/hunt/engine/judge_trace.h"
 #include "golden/hunt/engine/trace_engine.h"
 #include "golden/hunt/judge/features.h"
 #include "golden/hunt/judge/same_bits.h"
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
-#include "src/base/check.h"
 #include "src/base/text.h"
 #include "src/process/run_child.h"
 #include "tumble/replay/log_reader.h"
@@ -67,27 +65,6 @@ Judgement judge_against(const Question& question, const Trace& trace, const Text
   Result<replay::LogReader> reader = replay::LogReader::open(log.string());
   if (!reader.ok()) return broken(0, 0, "the other build's log: " + reader.error().message);
   return compare_log(trace, *reader);
-}
-
-bool is_lost(const sim::Bodies& bodies, sim::BodyIndex i) {
-  const sim::Quat& q = bodies.orientation[i];
-  return !bodies.position[i].allFinite() || !bodies.velocity[i].allFinite() || !bodies.spin[i].allFinite() ||
-         !std::isfinite(q.w + q.x + q.y + q.z);
-}
-
-// No law holds of a session with a body that is nowhere, whatever its comparisons came to. `numbers` says so itself.
-Judgement beside_lost(const std::string& law, const Trace& trace, const Judgement& judged) {
-  if (judged.outcome == Outcome::kNotApplicable || law == "finishes" || law == "numbers") return judged;
-  const std::size_t states = law == "start" ? 1 : trace.states.size();
-  for (std::size_t k = 0; k < states; ++k) {
-    const sim::Bodies& bodies = trace.states[k].bodies;
-    for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
-      if (!is_lost(bodies, i)) continue;
-      const bool earlier = judged.outcome == Outcome::kBroken && judged.step < k;
-      return earlier ? judged : broken(k, bodies.id[i], "a value of the body is no number");
-    }
-  }
-  return judged;
 }
 
 // Compares parts of Tumble with one another.
@@ -151,13 +128,8 @@ std::vector<std::string> names_of(const Question& question) {
 }
 
 Judgement judge(const Question& question, const std::string& relation, const Trace& trace, const TextScene& scene) {
-  if (!trace.failure.empty() && relation != "finishes") return not_applicable("the session ends early");
-  if (relation == kAgainst) return judge_against(question, trace, scene);
-  const Relation* known = find_relation(relation);
-  SIM_CHECK(known != nullptr, std::string_view(relation));
-  if (question.engine && !known->is_law) return judge_engine(relation, trace);
-  const Judgement judged = known->judge(trace);
-  return known->is_law && trace.external ? beside_lost(relation, trace, judged) : judged;
+  if (relation != kAgainst) return judge_trace(relation, trace);
+  return trace.failure.empty() ? judge_against(question, trace, scene) : not_applicable("the session ends early");
 }
 
 Judged judge_scene(const Question& question, const TextScene& scene) {
@@ -177,6 +149,7 @@ Judged judge_scene(const Question& question, const TextScene& scene) {
   }
   session->again = run;
   out.features = features_of(*session);
+  out.ran = session->ran;
   for (const std::string& name : names_of(question)) {
     out.judgements.emplace_back(name, judge(question, name, *session, scene));
   }

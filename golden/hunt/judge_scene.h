@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct Question {
   std::string against;            ///< another build of tumble, whose sessions must have the same bits; empty: none
   std::optional<golden::EngineProject> engine;  ///< whose sessions are judged; none: those of this program
   std::filesystem::path scratch;  ///< where other programs get folders of their own; empty: the system's place
+  std::filesystem::path runs;  ///< where runs of an engine that broke something are set aside, by the scene's number;
+                               ///< empty: nowhere
 };
 
 /// The name of the relation that `against` adds.
@@ -46,7 +49,8 @@ struct Judged {
   bool refused = false;  ///< by the engine
   std::string unable;    ///< why the engine could not be run; empty: it was. No judgement counts then
   std::vector<std::pair<std::string, Judgement>> judgements;
-  std::vector<std::string> features;  ///< features_of()
+  std::vector<std::string> features;       ///< features_of()
+  std::shared_ptr<const EngineFiles> ran;  ///< as Trace has it
 };
 Judged judge_scene(const Question& question, const TextScene& scene);
 

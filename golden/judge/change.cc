@@ -89,6 +89,7 @@ const char* key_of(Change change) {
 }
 
 bool has_moved(const MetricResult& metric) {
+  if (metric.rule.is_law) return false;  // it has no blessed value
   if (metric.spread && metric.value && metric.rule.value) {
     return std::fabs(*metric.value - *metric.rule.value) > *metric.spread;
   }

@@ -17,6 +17,11 @@ std::string obstacle_to_bless(const CaseRun& run, const std::filesystem::path& r
     if (run.pictures[k].png.empty()) return result.pictures[k].rule.file() + " " + result.pictures[k].message;
   }
   for (const MetricResult& metric : result.metrics) {
+    if (metric.rule.is_law && !metric.pass) {
+      return metric.rule.name + ": " + metric.message + "; mend it, or take " + metric.rule.name +
+             " out of [laws] in " + rules.string() + " first";
+    }
+    if (metric.rule.is_law) continue;
     const std::string fault = fault_of_value(metric.rule, metric.value, metric.unit);
     if (fault.empty()) continue;
     std::string words = metric.rule.name;
@@ -24,7 +29,7 @@ std::string obstacle_to_bless(const CaseRun& run, const std::filesystem::path& r
     words += fault + "; if that is right, change the bound and its reason in " + rules.string() + " first";
     return words;
   }
-  if (std::ranges::all_of(result.metrics, [](const MetricResult& m) { return !m.value; })) {
+  if (std::ranges::all_of(result.metrics, [](const MetricResult& m) { return m.rule.is_law || !m.value; })) {
     return "every metric reads null, so that nothing would be judged; give " + rules.string() + " one that has a value";
   }
   return "";

@@ -1,10 +1,12 @@
 #include "golden/run/run_case.h"
 
+#include <optional>
 #include <utility>
 
 #include "golden/expected/expected_file.h"
 #include "golden/run/engine_files.h"
 #include "golden/run/external_engine.h"
+#include "golden/run/judge_laws.h"
 #include "golden/run/obstacle.h"
 #include "golden/run/repeated_runs.h"
 #include "golden/run/run_session.h"
@@ -151,6 +153,10 @@ class CaseRunner {
       return;
     }
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
+    if (!session->cut_short) {
+      judge_laws({folder_, options_.suite, *log, scene_, recorded_ == nullptr, options_.scratch}, run_.rules,
+                 run_.result);
+    }
     session->cut_short ? tell_how_far() : take_pictures(*log);
     if (!run_.result.passed()) leave_case_files(run_, options_.report, *session, *log, expected_);
   }

@@ -33,6 +33,7 @@ struct MetricRule {
   std::string against_path;     ///< the same as a path from here
   std::size_t line = 0;         ///< of `name`, 1-based: where bless finds its place
   std::size_t value_line = 0;   ///< of `value`; 0 if there is none
+  bool is_law = false;          ///< a name of CaseRules::laws, of which results alone know a value and a bound
 };
 
 /// One [[picture]]: the state after a step, as `tumble render` draws it.
@@ -67,6 +68,7 @@ struct CaseRules {
   std::optional<EngineCase> engine;  ///< none: a case of `command`, or of this program
   [[nodiscard]] bool is_external() const { return engine.has_value() || !command.empty(); }
   std::vector<MetricRule> metrics;
+  std::vector<std::string> laws;  ///< of hunt::relations(): laws and relations that the case's session must hold
   std::vector<PictureRule> pictures;
 };
 

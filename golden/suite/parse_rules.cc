@@ -6,6 +6,7 @@
 #include <new>
 
 #include "golden/suite/metric_values.h"
+#include "golden/suite/read_laws.h"
 #include "golden/suite/text_files.h"
 #include "replay/format/limits.h"
 #include "replay/measure/channel_metrics.h"
@@ -208,6 +209,7 @@ Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
       rules.metrics.push_back(read_metric(reader, *node.as_table()));
     }
   }
+  rules.laws = read_laws(top);
   if (const toml::array* pictures = top.array_of_tables("picture")) {
     for (const toml::node& node : *pictures) {
       TableReader reader(*node.as_table(), "[[picture]]", problem);

@@ -95,6 +95,44 @@ run = """(sleep 4; echo late >late) & echo >begun; sleep 60 # {scene} {log}"""
 }
 #endif
 
+// An engine that ends in the middle of a table leaves the table and its last words, each bounded, beside the scene.
+TEST(HuntEngine, LeavesWhatItWroteBesideAFinding) {
+  const Workshop shop;
+  shop.write("tumble.toml", R"([engine]
+shell = true
+run = """(echo half a table; head -c 5000000 /dev/zero | tr '\\0' x) >{log}; echo no memory; exit 3 # {scene}"""
+)");
+  const Outcome run = shop.run({"hunt", "--engine", "--count", "5", "--relation", "finishes", "--folder", "kept"});
+  EXPECT_EQ(run.exit, 4) << run.err;
+  for (const char* file : {"finishes_1_0.csv.cut", "finishes_1_0.said.txt"})
+    EXPECT_NE(run.out.find(std::string("kept/findings/") + file), std::string::npos) << run.out;
+  EXPECT_EQ(shop.read("kept/findings/finishes_1_0.said.txt"), "no memory\n");
+  const std::string wrote = shop.read("kept/findings/finishes_1_0.csv.cut");
+  EXPECT_EQ(wrote.size(), 4U << 20U);
+  EXPECT_EQ(wrote.substr(0, 13), "half a table\n");
+  const Json json = Json::parse(shop.read("kept/hunt.json"), nullptr, false);
+  ASSERT_TRUE(json.is_object() && json.at("findings").size() == 5U);
+  EXPECT_EQ(json.at("findings").at(2).at("engine_files"), Json({"finishes_1_2.csv.cut", "finishes_1_2.said.txt"}));
+  EXPECT_FALSE(json.at("findings").at(3).contains("engine_files")) << "three of a kind are kept";
+}
+
+// A table is kept with the names that the engine gave its columns, a log as a log.
+TEST(HuntEngine, LeavesItsTableAsItWroteIt) {
+  const auto kept_after = [](const Workshop& shop, const std::string& run, const std::string& more) {
+    shop.write("tumble.toml", "[engine]\nshell = true\nrun = '''" + run + " # {scene}'''\n" + more);
+    const Outcome hunt = shop.run({"hunt", "--engine", "--count", "1", "--folder", "kept", "--unshrunk", "--json"});
+    const Json json = Json::parse(hunt.out, nullptr, false);
+    return json.is_object() && !json.at("findings").empty() ? json.at("findings").at(0).value("engine_files", Json())
+                                                            : Json(hunt.err);
+  };
+  const Workshop table, log;
+  EXPECT_EQ(kept_after(table, "echo 'step,id,px' >{log}", "[engine.table]\nmap = [\"position.x=px\"]\n"),
+            Json({"finishes_1_0.csv"}));
+  EXPECT_EQ(table.read("kept/findings/finishes_1_0.csv"), "step,id,px\n");
+  EXPECT_EQ(kept_after(log, "'" TUMBLE_PROGRAM "' record {scene} -o {log} --quiet --seconds 0.01", ""),
+            Json({"finishes_1_0.tumble"}));
+}
+
 // Each law is asked of a session in which a body is nowhere from step 2 on.
 TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {
   const Workshop shop;

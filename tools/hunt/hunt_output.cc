@@ -28,6 +28,11 @@ void print_group(const hunt::FindingGroup& group, const std::string& folder) {
   } else {
     std::cout << "  " << printable(describe(best.judgement)) << '\n';
   }
+  for (const std::string& file : best.engine_files) {
+    std::cout << "  of scene " << best.number << " the engine "
+              << (file.find(".said.txt") == std::string::npos ? "wrote" : "printed") << ": " << folder << "/findings/"
+              << file << '\n';
+  }
   std::cout << "  scenes";
   for (std::size_t k = 0; k < std::min(group.findings.size(), kNumbersShown); ++k) {
     std::cout << ' ' << group.findings[k]->number;

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <utility>
 
 #include "golden/engine/engine_run.h"
 #include "golden/engine/session_file.h"
 #include "golden/engine/table_reading.h"
+#include "golden/hunt/engine/kept_run.h"
 #include "golden/hunt/judge/bounds.h"
 #include "golden/hunt/judge/unmet.h"
 #include "golden/hunt/scene/scene_text.h"
-#include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
 #include "src/process/run_child.h"
 #include "src/world/edit_bodies.h"
@@ -113,21 +114,39 @@ Trace read_session(replay::LogReader& log, Trace trace, sim::WorldState state) {
   return trace;
 }
 
+// State 0 as the scene says it: the bodies by id, in whatever order the engine gets them.
+Result<sim::World> world_of(const sim::SceneDef& scene) {
+  sim::SceneDef by_id = scene;
+  std::ranges::sort(by_id.boxes, {}, &sim::BoxDef::id);
+  return sim::create_world(by_id);
+}
+
 }  // namespace
 
+Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene) {
+  const Result<sim::World> start = world_of(scene);
+  if (!start.ok()) return start.error();
+  Trace trace;
+  trace.scene = scene;
+  trace.external = true;
+  return read_session(log, std::move(trace), start->state());
+}
+
 Result<Trace> trace_engine(const golden::EngineProject& project, const sim::SceneDef& scene, const fs::path& scratch) {
-  const golden::TemporaryFolder folder("scene", scratch);
-  if (folder.path().empty()) return cannot_finish("no temporary folder could be made");
-  const fs::path toml = folder.path() / "scene.toml", said = folder.path() / "said";
-  const golden::RunFiles files = {toml.string(), "", (folder.path() / "session.tumble").string(), ""};
+  const auto ran = std::make_shared<EngineFiles>(scratch);
+  const fs::path folder = ran->folder.path();
+  if (folder.empty()) return cannot_finish("no temporary folder could be made");
+  const fs::path toml = folder / "scene.toml", said = folder / "said";
+  ran->said = said;
+  ran->wrote = folder / "wrote";
+  const golden::RunFiles files = {toml.string(), "", (folder / "session.tumble").string(), ""};
   if (const Status ok = golden::write_file(toml, scene_text(scene)); !ok.ok()) return ok.error();
   Trace trace;
   trace.scene = scene;
   trace.external = true;
+  trace.ran = ran;
   trace.again = [&project, scratch](const sim::SceneDef& other) { return trace_engine(project, other, scratch); };
-  sim::SceneDef by_id = scene;  // the engine gets the bodies in the scene's order
-  std::ranges::sort(by_id.boxes, {}, &sim::BoxDef::id);
-  const Result<sim::World> start = sim::create_world(by_id);
+  const Result<sim::World> start = world_of(scene);
   if (!start.ok()) return start.error();
   const Result<std::vector<std::string>> words = golden::engine_words(project, project.run, files);
   if (!words.ok()) return words.error();
@@ -146,11 +165,13 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
     trace.states.push_back(start->state());
     return std::move(trace);
   };
+  std::error_code ignored;  // it may have written nothing
+  if (fs::is_regular_file(files.log, ignored)) fs::copy_file(files.log, ran->wrote, ignored);
   if (!end->well()) return fails("the engine " + end->text() + golden::end_of_output(said));
   if (const Status ok = golden::rewrite_table(files.log, project.table, project.folder); !ok.ok())
     return fails(ok.error().message);
   const Result<golden::SessionLog> session =
-      golden::log_of_session(files.log, (folder.path() / "converted.tumble").string(), nullptr);
+      golden::log_of_session(files.log, (folder / "converted.tumble").string(), nullptr);
   if (!session.ok()) return fails(session.error().message);
   Result<replay::LogReader> log = replay::LogReader::open(session->path);
   if (!log.ok()) return fails(log.error().message);

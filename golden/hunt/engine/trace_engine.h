@@ -4,6 +4,7 @@
 
 #include "golden/engine/project.h"
 #include "golden/hunt/judge/trace.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::hunt {
 
@@ -17,5 +18,9 @@ namespace tumble::hunt {
 /// kCannotFinish: no folder, or a command that does not start.
 Result<Trace> trace_engine(const golden::EngineProject& project, const sim::SceneDef& scene,
                            const std::filesystem::path& scratch = {});
+
+/// The session of an engine that a log holds, of a scene that the engine was given. No other session can be asked for:
+/// `again` is empty, which a caller that judges relations sets. Errors (kBadInput): a scene that is none.
+Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene);
 
 }  // namespace tumble::hunt

@@ -38,6 +38,9 @@ std::span<const Relation> relations();
 /// Null: none of that name.
 const Relation* find_relation(std::string_view name);
 
+/// "step 12, phase push_contacts, body 3: momentum changed: 0.02 kg m/s, allowed 1e-9"
+std::string describe(const Judgement& judgement);
+
 inline Judgement held() { return {}; }
 inline Judgement not_applicable(std::string why) {
   Judgement out;

@@ -4,6 +4,7 @@
 #include "golden/hunt/judge/laws.h"
 #include "golden/hunt/judge/relation.h"
 #include "golden/hunt/judge/same_bits.h"
+#include "src/base/text.h"
 #include "src/kernels/lane_width.h"
 
 namespace tumble::hunt {
@@ -69,6 +70,17 @@ std::span<const Relation> relations() { return kRelations; }
 const Relation* find_relation(std::string_view name) {
   const auto found = std::ranges::find_if(kRelations, [name](const Relation& one) { return name == one.name; });
   return found == kRelations.end() ? nullptr : &*found;
+}
+
+std::string describe(const Judgement& judgement) {
+  std::string text = "step " + std::to_string(judgement.step);
+  if (!judgement.phase.empty()) text += ", phase " + judgement.phase;
+  if (judgement.body != 0) text += ", body " + std::to_string(judgement.body);
+  text += ": " + judgement.what;
+  if (judgement.bound > 0) {
+    text += ": " + rounded(judgement.value, judgement.unit) + ", allowed " + rounded(judgement.bound, judgement.unit);
+  }
+  return text;
 }
 
 }  // namespace tumble::hunt

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,6 +45,8 @@ struct TracedStep {
   std::optional<sim::WorldState> begun = std::nullopt;  ///< the state before with the inputs applied; none: no inputs
 };
 
+struct EngineFiles;  // golden/hunt/engine/kept_run.h
+
 /// A session of a scene with everything that relations and laws look at.
 struct Trace {
   sim::SceneDef scene;
@@ -54,7 +57,8 @@ struct Trace {
   std::function<Result<Trace>(const sim::SceneDef& scene)> again;
   bool external = false;  ///< another engine's, of which states and inputs are known, and no hashes and no contacts;
                           ///< `met` are then the pairs that may have met
-  double rounding = 0;    ///< of a number, relative, that laws allow besides their own bounds: of engines with floats
+  std::shared_ptr<const EngineFiles> ran;  ///< what an engine left of its run; null: this program's session
+  double rounding = 0;  ///< of a number, relative, that laws allow besides their own bounds: of engines with floats
 
   [[nodiscard]] const sim::WorldState& after(std::size_t step) const { return states[step + 1]; }
   [[nodiscard]] const sim::WorldState& before(std::size_t step) const { return states[step]; }

@@ -1,0 +1,21 @@
+#include "golden/suite/read_laws.h"
+
+#include "golden/hunt/judge/relation.h"
+
+namespace tumble::golden {
+
+std::vector<std::string> read_laws(scenes::TableReader& top) {
+  std::vector<std::string> laws;
+  const toml::table* table = top.table("laws");
+  if (table == nullptr) return laws;
+  scenes::TableReader reader(*table, "[laws]", top.problem());
+  for (const hunt::Relation& one : hunt::relations()) {
+    if (!reader.has(one.name)) continue;
+    if (!reader.flag(one.name, true)) reader.fail(one.name, "true; leave out a law that the case need not hold");
+    laws.emplace_back(one.name);
+  }
+  reader.finish();
+  return laws;
+}
+
+}  // namespace tumble::golden
