@@ -26,7 +26,7 @@ void write_engine(const Workshop& shop, const std::string& run, const std::strin
 }
 
 // A program that hangs fails its test by this.
-constexpr const char* kAtMostAMinute = "timeout 60 \"$0\" \"$@\"; exit $?; ";
+constexpr const char* kAtMostAMinute = "timeout -k 5 60 \"$0\" \"$@\"; exit $?; ";
 
 TEST(HuntFolder, IsOneHunts) {
   const Workshop shop;

@@ -1,4 +1,4 @@
-// Texts with commas come back from a dump; two logs are bisected by what both have.
+// Texts with commas come back from a dump; two logs are bisected by what both have; words for what is odd.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -36,6 +36,42 @@ TEST(OddTexts, OfADumpAreImportedAgain) {
   import_table(shop, "plain", table_of("7"));
   const Outcome plain = shop.run({"dump", "plain.tumble", "--steps", "0:1", "--csv"});
   EXPECT_EQ(plain.out.find("step,id,"), 0U) << "no text, no escapes: " << plain.out;
+}
+
+TEST(OddTexts, SayWhatToDoWithABodyThatLeftTheWorld) {
+  const Workshop shop;
+  const auto failure_of = [&shop](const std::string& motion) {
+    shop.write("far.toml",
+               "title = \"far\"\ncategory = \"session\"\n[world]\nmethod = \"layered\"\ndt = 0.01\nsteps = 3\n"
+               "gravity = [0.0, 0.0, 0.0]\n[[box]]\n" +
+                   motion + "\n");
+    const Outcome run = shop.run({"record", "far.toml", "-o", "far.tumble", "--quiet"});
+    EXPECT_EQ(run.exit, 4) << run.out;
+    return run.err;
+  };
+  const std::string left = failure_of("position = [32760.0, 0.0, 9.0]\nvelocity = [4000.0, 0.0, 0.0]");
+  EXPECT_NE(left.find("body 1: found position (32800"), std::string::npos) << left;
+  EXPECT_NE(left.find("it left the world: start nearer to the origin, stop it, or remove it before"), std::string::npos)
+      << left;
+  EXPECT_EQ(left.find("use smaller speeds"), std::string::npos) << "that is for what is too fast: " << left;
+}
+
+TEST(OddTexts, SayWhatATableOfPointsLacks) {
+  const Workshop shop;
+  shop.write("points.csv", "# engine: toy\n# dt: 1\nstep,id,position.x,position.y,position.z\n0,1,0,0,1\n1,1,0,0,1\n");
+  const Outcome run = shop.run({"import", "points.csv"});
+  EXPECT_EQ(run.exit, 2) << run.out;
+  EXPECT_NE(run.err.find("orientation.w, … (where nothing turns, 1 in .w and 0 in the others)"), std::string::npos)
+      << run.err;
+}
+
+TEST(OddTexts, GiveMicrosecondsToASessionOfThem) {
+  const Workshop shop;
+  std::string table = table_of("7");
+  table.replace(table.find("# dt: 1\n"), 8, "# dt: 0.00001\n");
+  import_table(shop, "short", table);
+  const Outcome info = shop.run({"info", "short.tumble"});
+  EXPECT_NE(info.out.find("10.0 µs"), std::string::npos) << info.out;
 }
 
 TEST(OddTexts, BisectJudgesWhatBothHaveWhereAsked) {
