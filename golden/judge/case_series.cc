@@ -67,7 +67,8 @@ void add_energies(Json& columns, double kinetic, double potential) {
 /// Measures the states that a golden has against its own first one: a body at rest reads 0 in spite of millimetres.
 class ExpectedMeter {
  public:
-  explicit ExpectedMeter(const sim::SceneDef& scene) : scene_(scene), gravity_(scene.world.gravity) {
+  ExpectedMeter(const sim::SceneDef& scene, replay::BodyTable shapes)
+      : scene_(scene), shapes_(std::move(shapes)), gravity_(scene.world.gravity) {
     for (const sim::BoxDef& box : scene.boxes) boxes_[box.id] = box;
   }
 
@@ -87,7 +88,7 @@ class ExpectedMeter {
   }
 
   void add_state(const KeyState& key, Json& columns) {
-    if (!states_) states_.emplace(scene_, key.states);
+    if (!states_) states_.emplace(scene_, key.states, replay::MeasureOptions(), shapes_);
     const replay::StateMeasures measured = states_->measure(key.states);
     columns["step"].push_back(key.step);
     add_energies(columns, measured.kinetic_linear + measured.kinetic_rotational, potential(key.states));
@@ -108,6 +109,7 @@ class ExpectedMeter {
   }
 
   const sim::SceneDef& scene_;
+  replay::BodyTable shapes_;
   sim::Vec3 gravity_;
   Boxes boxes_;  // all there ever were
   std::optional<replay::StateMeter> track_, states_;
@@ -129,7 +131,10 @@ Json place_row(const std::vector<sim::BodyId>& ids, const Rows& rows, const auto
 class Collector {
  public:
   Collector(replay::LogReader& log, const Expected* expected)
-      : log_(log), expected_(expected), measurer_(log.header(), {.overlap_every = 0}), meter_(log.header().scene) {
+      : log_(log),
+        expected_(expected),
+        measurer_(log.header(), {.overlap_every = 0}),
+        meter_(log.header().scene, log.bodies()) {
     const auto steps = log.step_count();
     stride_ = steps / kRowsMax + 1;
     if (expected != nullptr) {

@@ -34,9 +34,13 @@ SeriesRow in_unit_of(const EngineAxes& axes, SeriesRow row) {
 }
 
 Measurer::Measurer(const LogHeader& header, const MeasureOptions& options)
-    : channels_(header.declared.channels), scene_(header.scene), options_(options) {}
+    : channels_(header.declared.channels), scene_(header.scene), options_(options) {
+  shapes_.add(header.declared.bodies, header.declared.shapes);
+}
 
 void Measurer::add(const StepRecord& record) {
+  if (meter_) meter_->describe(record.extras);
+  if (!meter_) shapes_.add(record.extras.bodies, record.extras.shapes);
   for (const sim::Command& input : record.inputs) {
     if (meter_) meter_->apply(input);
     if (!meter_) apply_before_start(input);
@@ -52,7 +56,7 @@ void Measurer::add(const StepRecord& record) {
   }
   row_.step = record.step;
   row_.time = clock_.now();
-  row_.kinetic = record.counters.kinetic;
+  row_.kinetic = meter_->kinetic_by_shapes(record.states).value_or(record.counters.kinetic);
   row_.potential = record.counters.potential;
   row_.inputs += record.counters.inputs;
   row_.removed += record.counters.removed;
@@ -78,7 +82,7 @@ const SeriesRow& Measurer::row() const {
 
 void Measurer::start(const StepRecord& record) {
   std::ranges::sort(scene_.boxes, {}, &sim::BoxDef::id);
-  meter_.emplace(scene_, record.states, options_);
+  meter_.emplace(scene_, record.states, options_, shapes_);
   start_energy_ = meter_->start_energy();
   lowest_energy_ = start_energy_.total();
   metrics_.bodies = record.states.size();
@@ -157,6 +161,7 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   stacking.rest_time = rest_since_;
   metrics_.channels = channels_.metrics();
   metrics_.not_finite = meter_->not_finite();
+  metrics_.approximations = meter_->approximations();
   if (metrics_.not_finite.any) spoil(energy);
   return metrics_;
 }

@@ -68,10 +68,11 @@ struct Metrics {
   SymmetryMetrics symmetry;
   EnergyMetrics energy;
   StackingMetrics stacking;
-  std::vector<ChannelMetrics> channels;  ///< of the log, by ascending names
-  std::vector<Parting> partings;         ///< from another session; the Measurer knows none
-  Hash128 final_hash;                    ///< the state hash after the last step
-  LostBodies not_finite;                 ///< bodies that were not finite in a measured state
+  std::vector<ChannelMetrics> channels;     ///< of the log, by ascending names
+  std::vector<Parting> partings;            ///< from another session; the Measurer knows none
+  Hash128 final_hash;                       ///< the state hash after the last step
+  std::vector<std::string> approximations;  ///< for people: StateMeter::approximations()
+  LostBodies not_finite;                    ///< bodies that were not finite in a measured state
 };
 
 /// One row of `measure --series`: the measures after one step. Energies in J, of all bodies; "since the start" means
@@ -118,6 +119,7 @@ class Measurer {
   void measure_state(const StepRecord& record);
 
   ChannelMeter channels_;
+  BodyTable shapes_;     // told before the start
   sim::SceneDef scene_;  // as it was at the last step before the start
   MeasureOptions options_;
   std::optional<StateMeter> meter_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "replay/measure/measure_overlap.h"
+#include "replay/measure/solid.h"
 #include "src/model/mass.h"
 
 namespace tumble::replay {
@@ -26,24 +27,6 @@ double tilt_between(const Quat& start, const Quat& now) {
   return 2 * std::asin(half) * 180 / std::numbers::pi;
 }
 
-// Angular velocity in the body's own axes, rad/s. For a cube every axis is principal, so no turn is needed and the
-// world's components give the same energy without rounding.
-Vec3 spin_in_body(const Vec3& inertia, const BodyStates& s, std::size_t row) {
-  const Vec3 w = s.spin[row];
-  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-  return round ? w : sim::to_body(sim::axes_of(s.orientation[row]), w);
-}
-
-// sim::kinetic_energy for the values in a log.
-double kinetic_of(const sim::BoxDef& box, const Vec3& inertia, const BodyStates& s, std::size_t row) {
-  const Vec3 v = s.velocity[row], w_B = spin_in_body(inertia, s, row);
-  return 0.5 * (box.mass * sim::dot(v, v) + sim::dot(w_B, w_B.cwiseProduct(inertia)));
-}
-
-BoxFrame frame_of(const sim::BoxDef& box, const BodyStates& s, std::size_t row) {
-  return {s.position[row], sim::axes_of(s.orientation[row]), box.size / 2};
-}
-
 /// Leaves no measure that a bound could hold for.
 void spoil(StateMeasures& measures, bool has_grid) {
   for (double* value :
@@ -58,9 +41,22 @@ void spoil(StateMeasures& measures, bool has_grid) {
 
 }  // namespace
 
-StateMeter::StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options)
+// For a cube every axis is principal, so no turn is needed and the world's components give the same energy without
+// rounding.
+Vec3 spin_in_body(const Vec3& inertia, const BodyStates& s, std::size_t row) {
+  const Vec3 w = s.spin[row];
+  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+  return round ? w : sim::to_body(sim::axes_of(s.orientation[row]), w);
+}
+
+BoxFrame frame_of(const sim::BoxDef& box, const BodyStates& s, std::size_t row) {
+  return {s.position[row], sim::axes_of(s.orientation[row]), box.size / 2};
+}
+
+StateMeter::StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options, BodyTable shapes)
     : start_(std::move(start)),
       options_(options),
+      shapes_(std::move(shapes)),
       start_gravity_(scene.world.gravity),
       gravity_(scene.world.gravity),
       ground_(scene.world.ground),
@@ -80,10 +76,17 @@ StateMeter::StateMeter(const sim::SceneDef& scene, BodyStates start, const Measu
   number_grid_rows();
 }
 
-StateMeter::Body StateMeter::body_of(const sim::BoxDef& box) const {
+void StateMeter::describe(const Extras& extras) { shapes_.add(extras.bodies, extras.shapes); }
+
+StateMeter::Body StateMeter::body_of(const sim::BoxDef& box) {
   Body body;
   body.box = box;
   body.inertia = sim::box_inertia(box.mass, box.size);
+  if (const Shape* shape = shapes_.shape(box.id)) {
+    has_shapes_ = true;
+    body.shape = std::make_shared<const Shape>(*shape);
+    body.inertia = inertia_of(*shape, box.mass, box.size);
+  }
   body.measured = !box.is_static && options_.bodies.holds(box);
   return body;
 }
@@ -210,7 +213,10 @@ void StateMeter::measure_place(Body& body, const BodyStates& now, std::size_t ro
   const Vec3 centre = now.position[row];
   if (!space_.holds(centre)) lose(body);
   if (ground_) {
-    out.ground_penetration_max = largest(out.ground_penetration_max, ground_penetration(frame_of(body.box, now, row)));
+    const BoxFrame frame = frame_of(body.box, now, row);
+    out.ground_penetration_max =
+        largest(out.ground_penetration_max,
+                body.shape ? ground_penetration(Solid{frame, body.shape.get()}) : ground_penetration(frame));
   }
   out.height_max = largest(out.height_max, centre.z());
   out.height_min = least(out.height_min, centre.z());
@@ -246,55 +252,6 @@ std::optional<double> StateMeter::column_spread() const {
     if (wide != -kInfinity) widest = largest(widest.value_or(0), wide);  // −infinity: its bodies were all removed
   }
   return widest;
-}
-
-double StateMeter::overlap_max(const BodyStates& now) {
-  if (not_finite_.any) return kNotANumber;
-  find_rows(now);
-  std::vector<BoxFrame> boxes;
-  std::vector<std::uint8_t> left_out;
-  boxes.reserve(now.size());
-  left_out.reserve(now.size());
-  for (std::size_t row = 0; row < now.size(); ++row) {
-    if (body_of_row_[row] == kNone) continue;
-    const Body& body = bodies_[body_of_row_[row]];
-    boxes.push_back(frame_of(body.box, now, row));
-    left_out.push_back(body.measured ? 0 : 1);
-  }
-  return deepest_overlap(boxes, left_out);
-}
-
-StateMeter::Keeping StateMeter::keeping() const {
-  Keeping worst;
-  std::optional<std::uint64_t> bounces;
-  const auto take = [](std::optional<double>& most, const std::optional<double>& value) {
-    if (value) most = most ? largest(*most, *value) : *value;
-  };
-  for (const Body& body : bodies_) {
-    if (!body.measured) continue;
-    take(worst.momentum_drift, body.track.momentum_drift());
-    take(worst.spin_energy_gain, body.track.spin_energy_gain());
-    take(worst.bounce_height_loss, body.track.bounce_height_loss());
-    bounces = std::min(bounces.value_or(body.track.bounces()), body.track.bounces());
-  }
-  worst.bounces = bounces.value_or(0);
-  return worst;
-}
-
-// Counters of a log begin with step 1, so the energy of the start is computed here. Its sum runs in the solver's order,
-// and the value equals the one a counter would have.
-StateMeter::StartEnergy StateMeter::start_energy() const {
-  double kinetic = 0, potential = 0, above_rest = 0;  // in the order of sim::total_energy, for equal bits
-  for (const Body& body : bodies_) {
-    if (!body.in_start || body.box.is_static) continue;
-    const Vec3 position = start_.position[body.start_row];
-    if (start_.frozen[body.start_row] == 0) kinetic += kinetic_of(body.box, body.inertia, start_, body.start_row);
-    potential -= body.box.mass * sim::dot(start_gravity_, position);
-    if (!ground_ || start_gravity_.z() >= 0) continue;
-    const double rest = body.box.size.minCoeff() / 2;
-    above_rest += body.box.mass * -start_gravity_.z() * largest(0.0, position.z() - rest);
-  }
-  return {kinetic, potential, kinetic + above_rest};
 }
 
 }  // namespace tumble::replay

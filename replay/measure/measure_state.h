@@ -2,13 +2,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "replay/format/not_finite.h"
 #include "replay/measure/body_track.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/reasonable_space.h"
+#include "src/kernels/box_frame.h"
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/scene.h"
 
@@ -46,13 +50,23 @@ struct LostBodies {
   std::optional<NotFinite> any;     ///< of all bodies
 };
 
+/// Angular velocity in the body's own axes, rad/s.
+sim::Vec3 spin_in_body(const sim::Vec3& inertia, const BodyStates& s, std::size_t row);
+
+/// The box of a body where a state has it.
+sim::BoxFrame frame_of(const sim::BoxDef& box, const BodyStates& s, std::size_t row);
+
 /// Measures the states of one session, in order, against its start. Uses only what a log holds: the scene's boxes, the
 /// states and the inputs.
 class StateMeter {
  public:
   /// scene: its boxes define the bodies of the start, its gravity is that of the start. start: the state to compare
   /// with, as stored, with positions rounded to their grid.
-  StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options = {});
+  /// shapes: of bodies that are no boxes.
+  StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options = {}, BodyTable shapes = {});
+
+  /// Takes the shapes of bodies that appear in a step. Call it before apply() of that step's inputs.
+  void describe(const Extras& extras);
 
   /// Takes an input. Call it before measuring the state that follows.
   void apply(const sim::Command& input);
@@ -64,6 +78,13 @@ class StateMeter {
   /// The deepest overlap of two boxes in a state, at least one of them chosen, m; NaN once any body was not finite.
   /// Slower than all of measure().
   double overlap_max(const BodyStates& now);
+
+  /// The kinetic energy of all bodies in a state, J, with the inertia of their shapes; none where all are boxes, whose
+  /// energy the log has.
+  [[nodiscard]] std::optional<double> kinetic_by_shapes(const BodyStates& now);
+
+  /// For people: what is not measured, or not exactly, for the shapes of bodies. Empty where all are boxes.
+  [[nodiscard]] std::vector<std::string> approximations() const;
 
   /// Chosen bodies that were lost in any state measured so far.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
@@ -93,7 +114,8 @@ class StateMeter {
  private:
   struct Body {
     sim::BoxDef box;
-    sim::Vec3 inertia;  // kg·m², own axes
+    sim::Vec3 inertia;                   // kg·m², own axes
+    std::shared_ptr<const Shape> shape;  // null: the box
     BodyTrack track;
     bool measured = false;  // dynamic and chosen
     bool in_start = false;
@@ -109,7 +131,8 @@ class StateMeter {
   };
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  [[nodiscard]] Body body_of(const sim::BoxDef& box) const;
+  [[nodiscard]] Body body_of(const sim::BoxDef& box);
+  double deepest_of_shapes(const BodyStates& now);
   void number_grid_rows();
   void find_rows(const BodyStates& now);
   void find_not_finite(const BodyStates& now, std::uint64_t step);
@@ -122,8 +145,11 @@ class StateMeter {
 
   BodyStates start_;
   MeasureOptions options_;
-  sim::Vec3 start_gravity_;  // m/s²
-  sim::Vec3 gravity_;        // now
+  BodyTable shapes_;
+  bool has_shapes_ = false;      // of any body so far
+  bool is_upper_bound_ = false;  // an overlap
+  sim::Vec3 start_gravity_;      // m/s²
+  sim::Vec3 gravity_;            // now
   bool ground_;
   ReasonableSpace space_;
   std::vector<Body> bodies_;  // ascending id; every one is in each state until it is removed

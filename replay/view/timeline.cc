@@ -97,7 +97,7 @@ void TimelineScan::measure(const StepRecord& record, TimelineRow& row) {
     }
     row.height_max = std::max(row.height_max, states.position.z[i]);
   }
-  if (!meter_) meter_.emplace(log_->header().scene, states);
+  if (!meter_) meter_.emplace(log_->header().scene, states, MeasureOptions(), log_->bodies());
   row.overlap = row.not_finite > 0 ? kNotANumber : meter_->overlap_max(states);
 }
 
@@ -129,6 +129,7 @@ TimelineRow TimelineScan::next() {
     row.channels.push_back(largest_of(values, kind));
   }
   measure(*record_, row);
+  if (row.not_finite == 0) row.kinetic = meter_->kinetic_by_shapes(record_->states).value_or(row.kinetic);
   if (row.step == log_->first_state() && row.not_finite == 0) {  // no step led here, so nothing counted its energy
     const StateMeter::StartEnergy energy = meter_->start_energy();
     row.kinetic = energy.kinetic;
