@@ -5,6 +5,7 @@
 #include "golden/judge/judge_metrics.h"
 #include "golden/suite/metric_values.h"
 #include "replay/format/not_finite.h"
+#include "replay/import/table_notes.h"
 #include "replay/session/state_source.h"
 #include "src/base/text.h"
 
@@ -38,6 +39,8 @@ class Pass {
     }
     if (!log_.condition().whole()) result.problems.push_back("its log is " + log_.condition().summary(result.steps));
     if (lost_) result.problems.push_back("not finite: " + to_string(*lost_, log_.header().axes()));
+    if (const std::string lost = contacts_.not_finite(); !lost.empty())
+      result.problems.push_back("not finite: " + lost);
     result.bodies = bodies_;
     result.final_hash = to_string(final_hash_);
     result.continuation = to_string(reference_.continuation);
@@ -45,6 +48,7 @@ class Pass {
     judged.actual = builder_.finish(reference_.continuation);
     judge_exact(result);
     judge_behaviour(judged);
+    if (std::string odd = contacts_.no_direction(); !odd.empty()) result.notes.push_back(std::move(odd));
     return judged;
   }
 
@@ -59,6 +63,7 @@ class Pass {
         return damaged("step " + number(k) + ": the states do not match their hashes");
       }
       if (comparer_) comparer_->add(step);
+      contacts_.add(k, k == 0 ? log_.header().declared.start.contacts : step.extras.contacts);
       if (!lost_) lost_ = replay::first_not_finite(step.states, step.step);
       metrics_.add(step);
       builder_.add(step);
@@ -168,6 +173,7 @@ class Pass {
   replay::BodyStates last_;
   std::optional<replay::NotFinite> lost_;  // of the first state in which a body is not finite
   std::vector<sim::BodyId> start_;         // ids of the bodies in state 0
+  replay::ContactCheck contacts_;          // of another engine
   Hash128 final_hash_;
   std::uint64_t bodies_ = 0;
 };

@@ -188,7 +188,8 @@ Status CsvSteps::take_row(TableStep& step) {
   const Result<EngineState> state = read_state(*id, step.dt);
   if (!state.ok()) return state.error();
   if (Status ok = meet(*id, *state); !ok.ok()) return ok;
-  notes_.motion(*id, steps_, step.dt, *state, !velocity_derived(), settings_.axes);
+  plausible_.set_gravity(settings_.scene.world.gravity);
+  plausible_.add(*id, steps_, step.dt, *state, {columns_.has_velocity(), columns_.has_spin()}, settings_.axes);
   step.rows.emplace_back(*id, *state);
   if (!first_reading_) return channels_.take(table_, *id, step.values);
   channels_.look(table_);

@@ -71,6 +71,8 @@ class CsvSteps {
   [[nodiscard]] bool velocity_derived() const { return !columns_.has_velocity() || settings_.velocity_derived; }
   [[nodiscard]] bool spin_derived() const { return !columns_.has_spin() || settings_.spin_derived; }
   [[nodiscard]] const TableNotes& notes() const { return notes_; }  ///< on the steps read so far
+  /// Whether these fit what the table says of them.
+  [[nodiscard]] const MotionCheck& plausible() const { return plausible_; }
   [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const {
     return table_.at_line(line, message);
   }
@@ -123,6 +125,7 @@ class CsvSteps {
   std::uint64_t steps_ = 0;  // read so far
   bool has_row_ = false;
   TableNotes notes_;
+  MotionCheck plausible_;
 };
 
 }  // namespace tumble::replay

@@ -1,6 +1,7 @@
 #include "replay/stream/import_stream.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -171,6 +172,7 @@ class StreamImporter {
       if (!state.ok()) return state.error();
       if (Status ok = log.set_state(told.id, *state); !ok.ok()) return ok;
       bodies_.note_not_finite(told, step.step);
+      bodies_.look_at(told.id, step.step, step.dt, *state);
     }
     if (Status ok = tell_phases(log, step); !ok.ok()) return ok;
     if (Status ok = extras_.tell(log, step, bodies_.axes()); !ok.ok()) return ok;
@@ -235,7 +237,7 @@ class StreamImporter {
 
   [[nodiscard]] std::vector<std::string> warnings() const {
     std::vector<std::string> all = bodies_.notes();
-    all.insert(all.end(), extras_.notes().begin(), extras_.notes().end());
+    std::ranges::copy(extras_.notes(), std::back_inserter(all));
     const StreamCondition& condition = stream_.condition();
     const std::string last = std::to_string(stream_.steps().back().step);
     if (refusal_) return all;  // which is said instead

@@ -68,7 +68,15 @@ sim::Vec3 StreamBodies::within(std::uint64_t id, const Range& range, const sim::
 
 sim::Vec3 StreamBodies::gravity(const sim::Vec3& theirs) {
   const Range range = {"a gravity", " m/s²", -sim::kGravityMax, sim::kGravityMax, 0};
-  return within(0, range, axes_.length(theirs));
+  const sim::Vec3 kept = within(0, range, axes_.length(theirs));
+  plausible_.set_gravity(kept);
+  return kept;
+}
+
+std::vector<std::string> StreamBodies::notes() const {
+  std::vector<std::string> all = notes_;
+  plausible_.add_to(all);
+  return all;
 }
 
 double StreamBodies::length_within(std::uint64_t id, const Range& range, double theirs) {

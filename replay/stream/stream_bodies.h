@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/import/table_notes.h"
 #include "replay/stream/stream_step.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/imported_table.h"
@@ -56,7 +57,12 @@ class StreamBodies {
   /// Notes the first state with a number that is none.
   void note_not_finite(const StreamState& state, std::uint64_t step);
 
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// The state of a body after a step of dt, which then counts for what notes() says of the session as a whole.
+  void look_at(sim::BodyId id, std::uint64_t step, double dt, const EngineState& state) {
+    plausible_.add(id, step, dt, state, {}, axes_);
+  }
+
+  [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] const EngineAxes& axes() const { return axes_; }
 
  private:
@@ -80,6 +86,7 @@ class StreamBodies {
   std::map<std::uint64_t, EngineState> last_;
   std::map<std::uint64_t, StreamMesh> meshes_;  // by hash
   std::vector<std::string> notes_;
+  MotionCheck plausible_;
   bool found_not_finite_ = false;
 };
 

@@ -94,6 +94,7 @@ void StreamExtras::survey_channels(const StreamStep& step) {
 
 void StreamExtras::survey(const StreamStep& step) {
   survey_channels(step);
+  contacts_.add(step.step, contacts_of(step, {}));
   for (const StreamValue& value : step.values) {
     const auto found = found_.find(value.channel);
     if (found != found_.end() && value.type < kBytes) found->second.count = std::max(found->second.count, value.count);
@@ -192,6 +193,13 @@ void StreamExtras::fit() {
   notes_.push_back(count_text(joined, "channel") + " of several numbers a value " + (joined == 1 ? "is" : "are") +
                    " logged as bytes, for a log has at most " + std::to_string(kChannelsMax) +
                    " channels of one number");
+}
+
+std::vector<std::string> StreamExtras::notes() const {
+  std::vector<std::string> all = notes_;
+  if (const std::string lost = contacts_.not_finite(); !lost.empty()) all.push_back(lost + "; `check` fails for it");
+  if (std::string odd = contacts_.no_direction(); !odd.empty()) all.push_back(std::move(odd));
+  return all;
 }
 
 Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodies& bodies) {

@@ -31,8 +31,8 @@ class StreamExtras {
   /// Tells the log what the coming step has. Errors (kBadInput): as the functions of EngineLog.
   Status tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes) const;
 
-  /// For people: names that a log cannot have.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// For people: names that a log cannot have, and contacts that none can be.
+  [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
   /// A channel of the stream, and the most numbers that a value of it has.
@@ -58,6 +58,7 @@ class StreamExtras {
   std::map<std::string, ChannelType> named_inputs_;  // by the channel's name
   std::map<std::string, std::size_t> index_;         // in the log
   std::vector<std::string> notes_;
+  ContactCheck contacts_;
 };
 
 /// The contact points of a step in SI units, z up.

@@ -190,6 +190,32 @@ TEST(ImportCsv, DiffOfTheRoundTripIsIdentical) {
   EXPECT_TRUE(report->identical()) << describe(*report->first);
 }
 
+/// A body that falls by 9.81 m/s² in steps of 0.01 s, its velocity times `factor`, and what the import says of it.
+std::string misfits(const std::string& header, double factor = 1) {
+  std::string rows, warnings;
+  for (int k = 0; k < 20; ++k) {
+    const double v = -0.0981 * k, z = 100 - 0.000981 * k * (k + 1) / 2;
+    rows +=
+        std::to_string(k) + ",1,0,0," + std::to_string(z) + ",1,0,0,0,0,0," + std::to_string(v * factor) + ",0,0,0\n";
+  }
+  ImportOptions options;
+  options.warn = [&](const std::string& warning) { warnings += warning + '\n'; };
+  EXPECT_TRUE(import(table(header, rows), options).ok());
+  return warnings;
+}
+
+TEST(ImportCsv, WhatDoesNotFitIsSaidWithTheRemedy) {
+  const auto says = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_EQ(misfits("# dt: 0.01\n"), "");
+  EXPECT_TRUE(
+      says(misfits("# dt: 0.01\n# gravity: 0 0 -981\n"), "but gravity is 981 m/s^2; is \"gravity\", \"dt\" or"));
+  EXPECT_TRUE(says(misfits("# dt: 0.02\n"), "is \"gravity\", \"dt\" or the unit of length another one?"));
+  EXPECT_TRUE(says(misfits("# dt: 0.01\n# up: y\n# gravity: 0 -9.81 0\n"), "accelerate along -z"));
+  EXPECT_TRUE(says(misfits("# dt: 0.01\n", -1), "bodies move against their velocities in "));
+  EXPECT_TRUE(says(misfits("# dt: 0.01\n", 57.3), "times as far in a step as their velocities say"));
+  EXPECT_TRUE(says(misfits("# dt: 0.01\n# gravity: 0 0 0\n"), "but gravity is 0 m/s^2"));
+}
+
 TEST(ImportCsv, ErrorsNameFileLineAndColumn) {
   const std::string good = "0,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n";
   const auto expect = [](const std::string& text, const std::string& wanted, const ImportOptions& options = {}) {

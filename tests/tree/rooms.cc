@@ -99,7 +99,7 @@ std::vector<Room> suite() {
       {"golden/hunt/judge", logs + Folders{"golden/hunt/scene"}},
       {"golden/suite", logs + Folders{"src/render/picture", "golden/hunt/judge"}},
       {"golden/expected", logs},
-      {"golden/judge", parts},
+      {"golden/judge", parts + Folders{"replay/import"}},
       {"golden/engine", logs + engine},
       {"golden/hunt/engine", parts + Folders{"golden/engine", "src/process", "golden/hunt/scene", "golden/hunt/judge"}},
       {"golden/run", run + Folders{"golden/engine", "golden/hunt/scene", "golden/hunt/judge", "golden/hunt/engine"}},
