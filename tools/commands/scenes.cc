@@ -70,9 +70,8 @@ Action declare_scenes(Arguments& arguments) {
   auto options = std::make_shared<ScenesCommand>();
   arguments.json(options->json);
   arguments.footer(
-      "The golden cases: golden/cases/NAME/scene.toml of the nearest folder from here upwards, else those "
-      "that\n"
-      "came with the program.\n\n"
+      "The golden cases: golden/cases/NAME/scene.toml of the nearest folder from here upwards, and those that came\n"
+      "with the program.\n\n"
       "Examples:\n"
       "  tumble scenes\n"
       "  tumble scenes --json");

@@ -29,15 +29,26 @@ fs::path suite_folder() {
   return data_folder() / "golden";
 }
 
+/// A project's own cases go before those that came with the program.
+std::vector<fs::path> case_folders() {
+  std::vector<fs::path> folders = {suite_folder() / "cases"};
+  const fs::path installed = data_folder() / "golden" / "cases";
+  std::error_code error;
+  if (!fs::equivalent(folders.front(), installed, error)) folders.push_back(installed);
+  return folders;
+}
+
 bool looks_like_path(const std::string& text) { return text.find('/') != std::string::npos || text.ends_with(".toml"); }
 
 Error unknown_case(const std::string& scene, const std::vector<SceneFile>& cases) {
   std::vector<std::string_view> names;
   names.reserve(cases.size());
   for (const SceneFile& known : cases) names.push_back(known.name);
+  std::string looked;
+  for (const fs::path& folder : case_folders()) looked += (looked.empty() ? "" : " or ") + printable(folder.string());
   const std::string_view nearest = nearest_word(scene, names);
   const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
-  return bad_input("no scene " + in_quotes(scene) + ": neither a file nor a golden case" + hint +
+  return bad_input("no scene " + in_quotes(scene) + ": neither a file nor a golden case of " + looked + hint +
                    "\n'tumble scenes' lists the cases; a file's name ends in .toml.");
 }
 
@@ -52,11 +63,15 @@ std::string find_suite() {
 
 std::vector<SceneFile> find_cases() {
   std::vector<SceneFile> cases;
-  std::error_code error;
-  for (fs::directory_iterator at(suite_folder() / "cases", error), end; !error && at != end; at.increment(error)) {
-    const fs::path scene = at->path() / "scene.toml";
-    std::error_code ignored;
-    if (fs::is_regular_file(scene, ignored)) cases.push_back({at->path().filename().string(), scene.string()});
+  for (const fs::path& folder : case_folders()) {
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+      const fs::path scene = at->path() / "scene.toml";
+      std::error_code ignored;
+      std::string name = at->path().filename().string();
+      const bool is_known = std::ranges::find(cases, name, &SceneFile::name) != cases.end();
+      if (!is_known && fs::is_regular_file(scene, ignored)) cases.push_back({std::move(name), scene.string()});
+    }
   }
   std::ranges::sort(cases, {}, &SceneFile::name);
   return cases;
