@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "replay/diff/difference_report.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "tumble/replay/divergence.h"
+#include "tumble/replay/tolerance.h"
 
 namespace tumble::golden {
 namespace {
@@ -24,7 +26,7 @@ const T* at_step(const std::vector<T>& list, std::uint64_t step) {
 }
 
 /// Counts the bodies that differ between two lists, and names the first.
-std::string different_bodies(const BodyHashes& expected, const BodyHashes& actual) {
+std::string different_bodies(const BodyHashes& expected, const BodyHashes& actual, const replay::BodyTable& names) {
   std::size_t count = 0;
   sim::BodyId first = 0;
   std::size_t a = 0;
@@ -41,7 +43,7 @@ std::string different_bodies(const BodyHashes& expected, const BodyHashes& actua
   }
   if (count == 0) return "";
   return "at step " + number(actual.step) + ", " + number(count) + " of " + count_text(total, "body") +
-         (count == 1 ? " differs" : " differ") + ", the first is body " + number(first);
+         (count == 1 ? " differs" : " differ") + ", the first is " + names.text(first);
 }
 
 /// Whether the difference is one of channels or contacts.
@@ -53,8 +55,8 @@ constexpr std::size_t kExtrasNamed = 4;
 
 }  // namespace
 
-std::string describe(const Apart& apart) {
-  const std::string where = " (body " + number(apart.body) + ", step " + number(apart.step) + ")";
+std::string describe(const Apart& apart, const replay::BodyTable& names) {
+  const std::string where = " (" + names.text(apart.body) + ", step " + number(apart.step) + ")";
   return (std::isfinite(apart.metres) ? length_text(apart.metres) + " apart" : "not a number") + where;
 }
 
@@ -74,7 +76,10 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
     : expected_(expected),
       same_phases_(expected.phases == header.phases && expected.method == header.method),
       same_words_(same_phases_ && expected.phase_hash_version == header.phase_hash_version),
+      in_binary32_(replay::in_binary32(header, header)),
+      axes_(replay::common_axes(header, header)),
       shapes_(header) {
+  names_.add(header.declared.bodies, {});
   if (expected.method != header.method || expected.method_version != header.method_version) {
     notes_.push_back("blessed with method " + expected.method + " version " + number(expected.method_version) +
                      ", run with " + header.method + " version " + number(header.method_version));
@@ -174,7 +179,7 @@ void ExpectedComparer::compare_words(const replay::StepRecord& record) {
 void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (bodies_detail_.empty()) {
     if (const BodyHashes* wanted = at_step(expected_.body_hashes, record.step)) {
-      bodies_detail_ = different_bodies(*wanted, hash_bodies(record.step, record.states));
+      bodies_detail_ = different_bodies(*wanted, hash_bodies(record.step, record.states), names_);
     }
   }
   if (!field_detail_.empty()) return;
@@ -182,9 +187,11 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (wanted == nullptr) return;
   std::optional<replay::Divergence> divergence = replay::first_difference(wanted->states, record.states);
   if (!divergence) return;
+  if (in_binary32_) count_in_binary32(*divergence);
+  divergence = in_axes(axes_, *std::move(divergence));
   std::string size = replay::magnitude(*divergence);  // comes first: how much says more than how many ULPs
   if (!size.empty()) size.insert(0, ", ");
-  const std::string body = divergence->body ? "body " + number(*divergence->body) + ", " : "";
+  const std::string body = divergence->body ? names_.text(*divergence->body) + ", " : "";
   field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + size + ": expected " +
                   replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);
   if (divergence->ulps) field_detail_ += " (" + number(*divergence->ulps) + " ULPs apart)";
@@ -247,8 +254,8 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
   first_->details.insert(first_->details.end(), extra_details_.begin(), extra_details_.end());
   if (apart_.metres > 0) {
     first_->apart = apart_;
-    first_->details.insert(first_->details.begin(),
-                           "largest distance from an expected position: " + describe(apart_) + ", of the steps kept");
+    first_->details.insert(first_->details.begin(), "largest distance from an expected position: " +
+                                                        describe(apart_, names_) + ", of the steps kept");
   }
   return first_;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tumble/golden/expected.h"
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/step_record.h"
 
 namespace tumble::golden {
@@ -19,7 +20,7 @@ struct Apart {
 };
 
 /// "2.4 m apart (body 71, step 300)", "not a number (body 71, step 300)".
-std::string describe(const Apart& apart);
+std::string describe(const Apart& apart, const replay::BodyTable& names = {});
 
 /// The first difference between a session and its golden, for people and programs.
 struct FirstDifference {
@@ -74,6 +75,9 @@ class ExpectedComparer {
   bool same_phases_;
   bool same_words_;                       // and their hashes cover the same fields
   std::optional<ExtrasComparer> extras_;  // none: the golden is older than channels
+  bool in_binary32_;                      // ULPs are those of floats
+  replay::EngineAxes axes_;               // that name fields
+  replay::BodyTable names_;
   ShapesKeeper shapes_;
   std::optional<FirstDifference> first_;
   std::uint64_t steps_ = 0;

@@ -76,6 +76,14 @@ std::string pictures_text(const CaseResult& result) {
              : std::to_string(moved) + " of " + count_text(result.pictures.size(), "picture") + " moved within bounds";
 }
 
+/// Of several runs: whether they agree or by how much they differ, without what was compared, which JSON and page have.
+std::string shortly(const std::string& runs_message) {
+  const std::string text = runs_message.substr(0, runs_message.find(';'));
+  constexpr std::string_view kCompared = " compared (";
+  const std::size_t compared = text.find(kCompared);
+  return compared == std::string::npos ? text : text.substr(0, compared + kCompared.size() - 2);
+}
+
 }  // namespace
 
 const char* to_string(Change change) {
@@ -148,7 +156,7 @@ std::string summary(const CaseResult& result) {
   text +=
       (exact == Outcome::kPass && !bits_last ? ", " : "; ") + (bits_last ? bits_text(result) : metrics_text(result));
   if (const std::string pictures = pictures_text(result); !pictures.empty()) text += ", " + pictures;
-  if (!result.runs_message.empty()) text += "; " + result.runs_message;
+  if (!result.runs_message.empty()) text += "; " + shortly(result.runs_message);
   if (!result.problems.empty()) text += "; " + short_problem(result);
   return text;
 }

@@ -10,12 +10,16 @@
 namespace tumble::golden {
 namespace {
 
-std::string track_csv(const Expected& expected) {
-  std::string text = "step,id,x_m,y_m,z_m\n";
+/// In the axes and the unit of the engine.
+std::string track_csv(const Expected& expected, const replay::EngineAxes& axes) {
+  const std::string unit = axes.unit();
+  std::string text = axes.ours() ? "" : "# axes: " + to_string(axes) + '\n';
+  text += "step,id,x_" + unit + ",y_" + unit + ",z_" + unit + '\n';
   for (const TrackPoint& point : expected.track) {
     for (std::size_t i = 0; i < point.id.size(); ++i) {
       text += std::to_string(point.step) + ',' + std::to_string(point.id[i]);
-      for (const std::int32_t mm : {point.x[i], point.y[i], point.z[i]}) text += ',' + std::to_string(mm / 1000.0);
+      const sim::Vec3 place = axes.their_length({point.x[i] / 1000.0, point.y[i] / 1000.0, point.z[i] / 1000.0});
+      for (int k = 0; k < 3; ++k) text += ',' + std::to_string(place[k]);
       text += '\n';
     }
   }
@@ -43,7 +47,8 @@ void leave_case_files(CaseRun& run, const std::filesystem::path& report, const S
       leave(file.name, std::span<const std::byte>(file.bytes));
     }
   }
-  if (expected && !expected->track.empty()) leave(kTrackFile, std::string_view(track_csv(*expected)));
+  if (expected && !expected->track.empty())
+    leave(kTrackFile, std::string_view(track_csv(*expected, log.header().axes())));
   const Result<Json> series = case_series(log, expected ? &*expected : nullptr);
   if (series.ok()) {
     leave(kSeriesFile, std::string_view(series->dump()));

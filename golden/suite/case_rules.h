@@ -27,7 +27,8 @@ struct MetricRule {
   std::string why;              ///< the reason for the bound
   bool may_be_null = false;     ///< otherwise a metric that reads null in the end fails
   std::string bodies = "all";   ///< measured bodies, in the words of docs/metrics.md
-  std::string axis = "x";       ///< along which nothing should move: "x" or "y"
+  std::string axis = "x";       ///< along which nothing should move: a horizontal axis, of an engine one of its own
+  bool has_axis = false;        ///< `axis` is given; else our x, whatever the engine calls it
   std::uint64_t from_step = 0;  ///< the state after this step takes the place of the start
   std::string against;          ///< log of another session, for parting_time; a path from the case's folder
   std::string against_path;     ///< the same as a path from here

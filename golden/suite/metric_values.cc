@@ -14,7 +14,7 @@ constexpr std::uint64_t kOrderSeed = 7;      // of the names that order_error co
 const sim::Vec3 kShift = {1024, -512.5, 0};  // m, what shift_error compares with; exact on the grid of positions
 
 bool same_choice(const MetricRule& a, const MetricRule& b) {
-  return a.bodies == b.bodies && a.axis == b.axis && a.from_step == b.from_step;
+  return a.bodies == b.bodies && a.axis == b.axis && a.has_axis == b.has_axis && a.from_step == b.from_step;
 }
 
 /// The transform of the scene that a metric compares with; none for a metric of one session.
@@ -48,11 +48,22 @@ Status check_selection(const MetricRule& rule) {
   return bodies.ok() ? Status() : Status(bodies.error());
 }
 
-replay::MeasureOptions options_of(const MetricRule& rule) {
+Status check_axis(const MetricRule& rule, const replay::EngineAxes& axes) {
+  if (!rule.has_axis) return {};
+  const std::string first(1, axes.along(0).letter), second(1, axes.along(1).letter);
+  if (rule.axis == first || rule.axis == second) return {};
+  return bad_input("metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": axis: found " + rule.axis +
+                   ", which points up in the " + "engine's axes (" + to_string(axes) + "); wanted " +
+                   std::min(first, second) + " or " + std::max(first, second));
+}
+
+replay::MeasureOptions options_of(const MetricRule& rule, const replay::EngineAxes& axes,
+                                  const replay::BodyTable& named) {
   replay::MeasureOptions options;
-  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
+  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies, named); bodies.ok())
     options.bodies = *bodies;
-  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
+  const bool second = rule.has_axis && rule.axis == std::string(1, axes.along(1).letter);
+  options.lateral = second ? replay::LateralAxis::kY : replay::LateralAxis::kX;
   options.from_step = rule.from_step;
   return options;
 }
@@ -60,6 +71,8 @@ replay::MeasureOptions options_of(const MetricRule& rule) {
 bool needs_transformed_scene(const MetricRule& rule) { return transform_for(rule).has_value(); }
 
 MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : header_(header), rules_(rules) {
+  replay::BodyTable named;
+  named.add(header.declared.bodies, {});
   std::vector<const MetricRule*> choices;
   for (const MetricRule& rule : rules.metrics) {
     const auto known =
@@ -67,7 +80,13 @@ MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : 
     of_rule_.push_back(static_cast<std::size_t>(known - choices.begin()));
     if (known != choices.end()) continue;
     choices.push_back(&rule);
-    measurers_.emplace_back(header, options_of(rule));
+    measurers_.emplace_back(header, options_of(rule, header.axes(), named));
+    if (choices_.ok()) choices_ = check_axis(rule, header.axes());
+    const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies, named);
+    if (choices_.ok() && !bodies.ok()) {
+      choices_ =
+          bad_input("metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": " + bodies.error().message);
+    }
   }
   others_read_ = open_others();
 }
@@ -117,6 +136,7 @@ Result<std::optional<double>> MetricSet::pair_value(const MetricRule& rule) cons
 }
 
 Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyStates& last) {
+  if (!choices_.ok()) return choices_.error();
   if (!others_read_.ok()) return others_read_.error();
   std::vector<replay::Metrics> metrics;
   for (replay::Measurer& measurer : measurers_) {

@@ -21,8 +21,13 @@ std::string metric_unit(const std::string& name);
 /// Errors (kBadInput): bodies that are not written as docs/metrics.md says.
 Status check_selection(const MetricRule& rule);
 
-/// The bodies, axis and steps of a rule that check_selection() found right.
-replay::MeasureOptions options_of(const MetricRule& rule);
+/// Errors (kBadInput): an axis that is not horizontal in the engine's own axes.
+Status check_axis(const MetricRule& rule, const replay::EngineAxes& axes);
+
+/// The bodies, axis and steps of a rule that check_selection() and check_axis() found right. axes and names: of the
+/// session.
+replay::MeasureOptions options_of(const MetricRule& rule, const replay::EngineAxes& axes,
+                                  const replay::BodyTable& named);
 
 /// Whether the metric compares the session with one of a transformed scene.
 bool needs_transformed_scene(const MetricRule& rule);
@@ -58,6 +63,7 @@ class MetricSet {
   std::vector<replay::Measurer> measurers_;  // one for each choice of bodies, axis and step
   std::vector<std::size_t> of_rule_;         // index into measurers_
   std::map<std::string, Other> others_;      // by path
+  Status choices_;                           // the first rule whose axis or bodies the session has not
   Status others_read_;                       // the first error of theirs
 };
 

@@ -33,7 +33,7 @@ constexpr scenes::IntegerRule kPixelRule = {"a number of pixels", 0,
 constexpr std::size_t kTextLengthMax = 1000;
 constexpr std::size_t kFilesMax = 1000;
 constexpr scenes::IntegerRule kRepeatRule = {"a number of runs", 1, 100};
-constexpr std::array<const char*, 2> kAxes = {"x", "y"};
+constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 std::optional<double> optional_number(TableReader& reader, std::string_view key) {
   const bool has = reader.has(key);
@@ -79,7 +79,7 @@ void read_against(TableReader& reader, MetricRule& rule) {
   }
 }
 
-MetricRule read_metric(TableReader& reader, const toml::table& table) {
+MetricRule read_metric(TableReader& reader, const toml::table& table, bool is_external) {
   MetricRule rule;
   const std::vector<const char*> names = metric_names();
   const std::string made = made_metric_in(table);
@@ -103,10 +103,12 @@ MetricRule read_metric(TableReader& reader, const toml::table& table) {
   if (rule.why.find_first_not_of(' ') == std::string::npos) reader.fail("why", "the reason for the bound");
   rule.may_be_null = reader.flag("may_be_null", false);
   rule.bodies = read_bodies(reader, table);
+  rule.has_axis = reader.has("axis");
   rule.axis = kAxes[reader.choice("axis", 0, kAxes)];
+  if (rule.axis == "z" && !is_external) reader.fail("axis", "x or y: z points up");
   rule.from_step = reader.integer("from_step", 0, kStepRule);
   read_against(reader, rule);
-  if (const Status selection = check_selection(rule); !selection.ok()) {
+  if (const Status selection = check_selection(rule); !is_external && !selection.ok()) {  // which may name bodies
     reader.problem().report(reader.place("bodies"), reader.label() + ": " + selection.error().message);
   }
   if (const toml::node* node = table.get("name")) rule.line = node->source().begin.line;
@@ -206,7 +208,7 @@ Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
   if (const toml::array* metrics = top.array_of_tables("metric")) {
     for (const toml::node& node : *metrics) {
       TableReader reader(*node.as_table(), "[[metric]]", problem);
-      rules.metrics.push_back(read_metric(reader, *node.as_table()));
+      rules.metrics.push_back(read_metric(reader, *node.as_table(), rules.is_external()));
     }
   }
   rules.laws = read_laws(top);

@@ -49,7 +49,9 @@ Divergence value_difference(const ComparedChannel& both, const ChannelKey& key, 
   };
   Divergence found =
       make_divergence(0, "channels", kChannelField + name, text(both.a, type.kind, i), text(both.b, kind_b, j));
-  if (type.kind == ChannelKind::kFloat32 && kind_b == type.kind) count_in_binary32(found);
+  const auto *x = std::get_if<double>(&found.expected), *y = std::get_if<double>(&found.actual);
+  const bool singles = type.kind == ChannelKind::kFloat32 && kind_b == type.kind && x != nullptr && y != nullptr;
+  if (singles) found.ulps = ulps32_between(*x, *y);
   if (type.scope == ChannelScope::kBody) found.body = key.a;
   if (type.scope == ChannelScope::kPair) found.pair = {key.a, key.b};
   if (!unit.empty()) found.note = "in " + unit;
@@ -148,6 +150,10 @@ std::string differing_channels(const ChannelMatch& match, const StepRecord& expe
 bool are_two_engines(const LogHeader& a, const LogHeader& b) {
   const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
   return engine(a) != engine(b);
+}
+
+bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
+  return !contact_difference(a, b);
 }
 
 ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances, bool two_engines) {

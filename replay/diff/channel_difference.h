@@ -39,6 +39,9 @@ bool are_two_engines(const LogHeader& a, const LogHeader& b);
 /// numbers; contacts are not.
 ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances, bool two_engines);
 
+/// Whether two lists of contacts agree in every bit.
+bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b);
+
 std::vector<std::string> names_of(const ChannelMatch& match);
 
 /// Makes every extra of `actual` equal to that of `expected` that `match` does not compare, so that a chain over both

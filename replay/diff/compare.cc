@@ -79,6 +79,7 @@ class Diff {
     if (!in_b.ok()) return in_b.error();
     if (in_a->lost) report_.notes.push_back(a_.name() + ": " + to_string(*in_a->lost, a_.header().axes()));
     if (in_b->lost) report_.notes.push_back(b_.name() + ": " + to_string(*in_b->lost, b_.header().axes()));
+    no_contacts_ = !in_a->has_contacts && !in_b->has_contacts;
     keyframes_a_ = std::move(in_a->keyframes);
     keyframes_b_ = std::move(in_b->keyframes);
     return {};
@@ -131,6 +132,7 @@ class Diff {
                              states_only_,
                              same_words_,
                              imported_,
+                             no_contacts_,
                              one_scene_,
                              worlds_,
                              report_.zeros,
@@ -253,12 +255,11 @@ class Diff {
       actual.counters = expected.counters;
       actual.inputs = expected.inputs;
     }
-    const bool by_states = imported_ || !tolerances_.exact();
-    const bool have_states = expected.has_states && actual.has_states;
-    if (by_states && have_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
+    const bool by_states = (imported_ || !tolerances_.exact()) && expected.has_states && actual.has_states;
+    if (by_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
     report_.first = first_difference(expected, actual, phases_);
-    if (report_.first && in_binary32(a_.header(), b_.header())) count_in_binary32(*report_.first);
     add_extra_difference(channels_, expected, actual, tolerances_, report_.first);
+    if (report_.first && in_binary32(a_.header(), b_.header())) count_in_binary32(*report_.first);
   }
 
   void leave_out_words(const StepRecord& expected, StepRecord& actual) const {
@@ -273,9 +274,9 @@ class Diff {
   std::uint64_t until_;  // the last step to compare
   std::vector<std::string> phases_;
   bool same_words_ = false;
-  bool states_only_ = false;    // of two engines, whose phases and counters cannot be compared
-  bool imported_ = false;       // a log, or both, by another engine
-  bool values_in_one_ = false;  // the other holds hashes only
+  bool states_only_ = false;                     // of two engines, whose phases and counters cannot be compared
+  bool imported_ = false, no_contacts_ = false;  // a log, or both, by another engine; neither has a contact
+  bool values_in_one_ = false;                   // the other holds hashes only
   std::vector<KeyframeHash> keyframes_a_, keyframes_b_;
   bool one_scene_ = false;                      // no value that a step depends on differs between the headers
   std::uint64_t worlds_ = 0;                    // complete states compared

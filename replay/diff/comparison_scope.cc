@@ -49,7 +49,8 @@ class Scope {
     add_steps();
     add_states();
     if (!facts_.channels.empty()) compare(channels_text(facts_.channels));
-    if (facts_.imported && !facts_.states_only && tolerances_.exact()) compare("contacts of the engine");
+    const bool contacts = facts_.imported && !facts_.states_only && !facts_.no_contacts && tolerances_.exact();
+    if (contacts) compare("contacts of the engine");
     for (const std::string& part : facts_.left_out) leave_out(part);
     add_tolerances();
     add_worlds();

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/format/engine_column.h"
 #include "replay/session/state_source.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
+#include "tumble/replay/tolerance.h"
 
 namespace tumble::replay {
 namespace {
@@ -13,6 +15,24 @@ namespace {
 std::string values_text(const Divergence& d) {
   const HeaderDifference shown = {d.field, d.expected, d.actual, true, false};
   return (d.body ? "body " + std::to_string(*d.body) + ' ' : "") + describe(shown);
+}
+
+constexpr const char* kOtherAxes =
+    "the tables of the two logs have other axes, or other units: fields are named z up, right-handed, m";
+
+/// A value by the table's axis and unit.
+void shown_in(const EngineAxes& axes, const EngineColumn& column, FieldValue& value) {
+  auto* number = std::get_if<double>(&value);
+  if (number == nullptr) return;
+  if (column.sign < 0) *number = -*number;
+  if (column.is_length) *number = axes.their_metres(*number);
+}
+
+void shown_in(const EngineAxes& axes, HeaderDifference& header) {
+  const std::optional<EngineColumn> column = column_in(axes, header.key);
+  if (!column) return;
+  header.key = column->name;
+  for (FieldValue* value : {&header.a, &header.b}) shown_in(axes, *column, *value);
 }
 
 /// The difference in the first of the rows in which bodies differ: a changed input or counter may show later. None
@@ -30,6 +50,7 @@ std::optional<Divergence> effect_in(LogReader& a, LogReader& b, const std::vecto
   actual.inputs = (*one)->inputs;
   leave_out_phase_words(a.header(), b.header(), **one, actual);
   std::optional<Divergence> found = first_difference(**one, actual, phases);
+  if (found && in_binary32(a.header(), b.header())) count_in_binary32(*found);
   if (found && found->step == a.first_state()) found->phase = "start";
   return found;
 }
@@ -93,6 +114,45 @@ DifferenceReport report_replay_difference(LogReader& log, LogReader* again, Dive
     report.growth_unknown = growth.error().message;
   }
   return report;
+}
+
+EngineAxes common_axes(const LogHeader& a, const LogHeader& b) {
+  EngineAxes in_a = a.axes(), in_b = b.axes();
+  in_a.metres = in_b.metres = 1;
+  return in_a == in_b ? in_a : EngineAxes();
+}
+
+Divergence in_axes(const EngineAxes& axes, Divergence difference) {
+  if (axes.ours()) return difference;
+  const std::optional<EngineColumn> column = column_in(axes, difference.field);
+  if (!column) return difference;
+  difference.field = column->name;
+  for (FieldValue* value : {&difference.expected, &difference.actual}) shown_in(axes, *column, *value);
+  return difference;
+}
+
+LostBody in_axes(const EngineAxes& axes, LostBody lost) {
+  if (const auto column = column_in(axes, lost.field)) lost.field = column->name;
+  return lost;
+}
+
+void name_by_own_axes(const LogHeader& a, const LogHeader& b, DiffReport& found, DifferenceReport* report) {
+  const EngineAxes axes = common_axes(a, b);
+  if (axes.ours()) {
+    if (!(a.axes() == b.axes()) && found.first) found.notes.emplace_back(kOtherAxes);
+    return;
+  }
+  found.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
+  if (found.first) found.first = in_axes(axes, *std::move(found.first));
+  if (found.built) found.built = in_axes(axes, *std::move(found.built));
+  for (HeaderDifference& header : found.headers) shown_in(axes, header);
+  if (report == nullptr) return;
+  report->first = in_axes(axes, std::move(report->first));
+  if (report->effect) report->effect = in_axes(axes, *std::move(report->effect));
+  if (found.first) report->cause = cause_of(found, *found.first);  // which names the field too
+  if (report->growth && report->growth->separation.lost) {
+    report->growth->separation.lost = in_axes(axes, *std::move(report->growth->separation.lost));
+  }
 }
 
 std::string DiffReport::though() const {

@@ -39,4 +39,18 @@ std::string cause_of(const DiffReport& found, const Divergence& first);
 DifferenceReport report_replay_difference(LogReader& log, LogReader* again, Divergence first,
                                           const Progress& progress = {});
 
+/// The axes of both sessions' tables where these are the same, else ours. Lengths stay in m.
+EngineAxes common_axes(const LogHeader& a, const LogHeader& b);
+
+/// A difference in the axes and the unit of the sessions' table: its field, and both values. Other fields stay.
+Divergence in_axes(const EngineAxes& axes, Divergence difference);
+
+/// Likewise the field of a body that is lost.
+LostBody in_axes(const EngineAxes& axes, LostBody lost);
+
+/// Names everything in a comparison of two logs by common_axes(), with a note that says so: headers, the first
+/// difference, the effect, the cause. Every command that prints a difference calls this, so that all name one field
+/// alike. report: of `found`, or null.
+void name_by_own_axes(const LogHeader& a, const LogHeader& b, DiffReport& found, DifferenceReport* report);
+
 }  // namespace tumble::replay

@@ -44,7 +44,7 @@ Divergence make_divergence(std::uint64_t step, std::string phase, std::string fi
 void count_in_binary32(Divergence& divergence);
 
 /// The distance of the two values with its unit: "3e-12 m/s"; "infinite" where one is no finite number. Empty where
-/// they are no numbers of a state.
+/// they are no numbers of a state, a contact or a channel (whose unit is in the note).
 std::string magnitude(const Divergence& divergence);
 
 /// Whether the difference is one of a body's visible state.

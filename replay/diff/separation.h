@@ -69,10 +69,12 @@ struct Separation {
   std::optional<LostBody> lost;             ///< the first one
   std::vector<ChannelSeparation> channels;  ///< those that differ in any step
   // What there was to compare in any step of either session.
-  bool had_contacts = false;  ///< pairs or contacts
+  bool had_contacts = false;       ///< pairs or contacts
+  bool contacts_by_value = false;  ///< contacts of an engine, compared in every bit; else by their number alone
   bool had_frozen = false;
   // The first step in which the sessions differ in kind; none: in no step.
-  std::optional<std::uint64_t> contacts_from;  ///< in the number of pairs, contacts (also an engine's own) or substeps
+  std::optional<std::uint64_t> contacts_from;  ///< in the number of pairs, contacts or substeps; contacts
+                                               ///< of an engine also in any value
   std::optional<std::uint64_t> freezing_from;  ///< a body is frozen in one only
   std::optional<std::uint64_t> bodies_from;    ///< a body exists in one only
 };

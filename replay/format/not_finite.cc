@@ -1,5 +1,6 @@
 #include "replay/format/not_finite.h"
 
+#include <algorithm>
 #include <array>
 
 #include "replay/format/engine_column.h"
@@ -25,7 +26,7 @@ bool all_finite(const std::vector<double>& column) {
 NotFinite in_axes(const EngineAxes& axes, NotFinite lost) {
   const std::optional<EngineColumn> column = column_in(axes, lost.field);
   if (!column) return lost;
-  lost.field = column->name;
+  lost.field = *std::ranges::find(kColumnNames, column->name);
   if (column->sign < 0) lost.value = -lost.value;
   return lost;
 }

@@ -94,6 +94,7 @@ class Verifier {
     BodyStates start;
     copy_visible(keyframe.state.bodies, start);
     report_.lost = first_not_finite(start, log_.first_state());
+    report_.has_contacts = !log_.header().declared.start.contacts.empty();
   }
 
   /// Whether the keyframe is the state that the log begins with. The chain starts from the hash of state 0; the header
@@ -107,6 +108,7 @@ class Verifier {
   Status check_step(const StepRecord& step) {
     ++report_.steps_checked;
     previous_ = step.state_hash;
+    report_.has_contacts = report_.has_contacts || !step.extras.contacts.empty();
     if (!step.has_states) return {};
     ++report_.states_checked;
     if (!report_.lost) report_.lost = first_not_finite(step.states, step.step);

@@ -24,6 +24,7 @@ struct VerifyReport {
   std::uint64_t states_checked = 0;     ///< steps whose states were hashed again
   std::optional<NotFinite> lost;        ///< no damage: another engine's states may hold any double
   std::vector<KeyframeHash> keyframes;  ///< by step
+  bool has_contacts = false;            ///< of another engine, in any step
   bool complete = true;  ///< false: `progress` stopped the check, and the report covers a part of the log
 };
 

@@ -38,6 +38,14 @@ std::optional<BodyChoice::Table> parse_table(std::string_view word) {
   return table.index ? std::optional(table) : std::nullopt;
 }
 
+std::vector<sim::BodyId> ids_of(const std::string& name, const BodyTable& named) {
+  std::vector<sim::BodyId> ids;
+  for (const auto& [id, info] : named.bodies()) {
+    if (!name.empty() && info.name == name) ids.push_back(id);
+  }
+  return ids;
+}
+
 }  // namespace
 
 bool BodyChoice::holds(const sim::BoxDef& box) const {
@@ -66,6 +74,55 @@ Result<BodyChoice> parse_bodies(const std::string& text) {
     begin = end + 1;
   }
   return choice;
+}
+
+Result<BodyChoice> parse_bodies(const std::string& text, const BodyTable& named) {
+  BodyChoice choice;
+  if (text == "all") return choice;
+  const auto take = [&](const std::string& word) -> Result<bool> {
+    const std::vector<sim::BodyId> ids = ids_of(word, named);
+    const std::optional<BodyChoice::Ids> as_ids = parse_ids(word);
+    for (const sim::BodyId id : ids) {
+      if (as_ids && !(as_ids->first == id && as_ids->last == id)) {
+        const std::string own = std::to_string(id);
+        return bad_input("bodies: found \"" + word + "\", the name of body " + own +
+                         " and an id or a range of ids too; wanted " + own + "-" + own +
+                         " for that body, or ranges, as 2-2, for the others");
+      }
+      choice.ids.push_back({id, id});
+    }
+    return !ids.empty();
+  };
+  Result<bool> whole = take(text);  // a name may have commas
+  if (!whole.ok()) return whole.error();
+  std::string others;
+  for (std::size_t begin = 0; !*whole && begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    const Result<bool> is_name = take(word);
+    if (!is_name.ok()) return is_name.error();
+    if (!*is_name) others += (others.empty() ? "" : ",") + word;
+  }
+  if (others.empty() && !choice.ids.empty()) return choice;
+  Result<BodyChoice> rest = parse_bodies(others);
+  if (!rest.ok()) {
+    const auto has_name = [](const auto& entry) { return !entry.second.name.empty(); };
+    const bool any = std::ranges::any_of(named.bodies(), has_name);
+    return any ? bad_input(rest.error().message + "; or names of bodies, which 'tumble dump' shows") : rest;
+  }
+  choice.ids.insert(choice.ids.end(), rest->ids.begin(), rest->ids.end());
+  choice.tables = rest->tables;
+  return choice;
+}
+
+Result<sim::BodyId> parse_body(const std::string& text, const BodyTable& named) {
+  const std::vector<sim::BodyId> ids = ids_of(text, named);
+  const std::optional<sim::BodyId> id = parse_number<sim::BodyId>(text);
+  if (id && *id > 0 && *id <= sim::kBodyIdMax && (ids.empty() || ids.front() == *id)) return *id;
+  if (ids.size() == 1 && !id) return ids.front();
+  if (ids.size() > 1) return bad_input("found \"" + text + "\", the name of " + std::to_string(ids.size()) + " bodies");
+  return bad_input("found \"" + text + "\", wanted the id of a body, or its name, which 'tumble dump' shows");
 }
 
 std::string to_string(const BodyChoice& choice) {

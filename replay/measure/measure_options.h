@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/body_table.h"
 #include "tumble/sim/ids.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
@@ -37,6 +38,10 @@ struct BodyChoice {
 /// [[grid]], "grid:1": the second one; box, grid, tower, pyramid, wall, pile, and input for bodies thrown in). Errors
 /// (kBadInput): any other text.
 Result<BodyChoice> parse_bodies(const std::string& text);
+/// Likewise, with names of bodies beside ids. Errors (kBadInput): also a name that reads as the ids of other bodies.
+Result<BodyChoice> parse_bodies(const std::string& text, const BodyTable& named);
+/// The id of one body, as an id or a name says it.
+Result<sim::BodyId> parse_body(const std::string& text, const BodyTable& named);
 std::string to_string(const BodyChoice& choice);
 
 enum class LateralAxis : std::uint8_t { kX = 0, kY = 1 };

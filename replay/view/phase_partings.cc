@@ -6,9 +6,9 @@
 namespace tumble::replay {
 
 Result<PhasePartings> phase_partings(LogReader& a, LogReader& b, std::uint64_t from, const Progress& progress) {
-  if (!same_phase_words(a.header(), b.header()) || a.header().engine || b.header().engine) {
-    return bad_input("phase hashes of the two logs cannot be compared");
-  }
+  const auto engine = [](const LogReader& log) { return log.header().engine.value_or(EngineName()).name; };
+  if (engine(a) != engine(b)) return bad_input("the logs are of two engines, whose phase hashes mean different things");
+  if (!same_phase_words(a.header(), b.header())) return bad_input("phase hashes of the two logs cannot be compared");
   PhasePartings found;
   found.from = from;
   found.last = std::min(a.last_step(), b.last_step());

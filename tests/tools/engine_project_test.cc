@@ -211,6 +211,9 @@ TEST(EngineCase, RepeatedRunsAreJudgedAgainstTheirOwnSpread) {
   const std::string words = steady["runs_words"];
   EXPECT_TRUE(says(words, "3 runs of the engine agree in every bit compared (step lengths, inputs, counters")) << words;
   EXPECT_TRUE(says(words, "the engine's own spread is 0, so metrics are judged against the blessed values")) << words;
+  const std::string line = shop.run({"check"}).out;
+  EXPECT_TRUE(says(line, "; 3 runs of the engine agree in every bit compared ")) << line;
+  EXPECT_FALSE(says(line, "step lengths")) << "one line a case; JSON and page have the rest";
   EXPECT_EQ(steady["verdicts"]["exact"]["outcome"], "pass");
   write_project(shop, run + " --jitter");
   const Outcome shaky = shop.run({"check", "--json", "--report", "r"});

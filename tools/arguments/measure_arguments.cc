@@ -13,7 +13,7 @@ namespace tumble::tools {
 void add_measure(Arguments& arguments, MeasureArguments& target) {
   arguments.option(
       "--bodies", "LIST", target.bodies,
-      "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas");
+      "Measure these: ids (7), ranges (3-9), names, tables of the scene (grid, tower:1, input), joined by commas");
   arguments.option(
       "--axis", "AXIS", target.axis,
       "The axis along which nothing should move: x (if not given) or y; in an imported session, one of its own");
@@ -21,9 +21,10 @@ void add_measure(Arguments& arguments, MeasureArguments& target) {
                   "Measure from the state after step K on, as if it were the start");
 }
 
-Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments, const replay::EngineAxes& axes) {
+Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments, const replay::EngineAxes& axes,
+                                             const replay::BodyTable& named) {
   replay::MeasureOptions how;
-  Result<replay::BodyChoice> bodies = replay::parse_bodies(arguments.bodies);
+  Result<replay::BodyChoice> bodies = replay::parse_bodies(arguments.bodies, named);
   if (!bodies.ok()) return bad_input("--" + bodies.error().message);
   how.bodies = *std::move(bodies);
   const std::string first(1, axes.along(0).letter), second(1, axes.along(1).letter);

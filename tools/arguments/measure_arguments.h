@@ -21,7 +21,9 @@ struct MeasureArguments {
 /// Declares --bodies, --axis and --from-step.
 void add_measure(Arguments& arguments, MeasureArguments& target);
 
-/// axes: those of the session, whose horizontal axes --axis names. Errors (kBadInput): unknown words, bodies or axes.
-Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments, const replay::EngineAxes& axes = {});
+/// axes: those of the session, whose horizontal axes --axis names. named: its bodies. Errors (kBadInput): unknown
+/// words, bodies or axes.
+Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments, const replay::EngineAxes& axes = {},
+                                             const replay::BodyTable& named = {});
 
 }  // namespace tumble::tools

@@ -66,6 +66,13 @@ class Bisection {
       if (Status ok = could_ask(finding_.tested.back(), k == 0 ? "good" : "bad"); !ok.ok()) return ok;
     }
     if (finding_.tested[0].answer.yes != finding_.tested[1].answer.yes) return {};
+    const Answer &good = finding_.tested[0].answer, &bad = finding_.tested[1].answer;
+    const bool of_log = !settings_.metric && settings_.case_name.empty();
+    if (of_log && !good.yes && good.message != bad.message) {
+      return bad_input("neither end repeats the log, and their sessions differ from each other (" +
+                       settings_.question() + "): good: " + good.message + "; bad: " + bad.message +
+                       "; the log is of another revision: record LOG anew at the good revision and ask about that");
+    }
     return bad_input("the question (" + settings_.question() + ") has the same answer for both ends: good: " +
                      finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
   }

@@ -58,7 +58,9 @@ Status Recording::prepare() {
   if (header.goes_on || header.scene_text.empty()) {
     if (settings_.run.find("{scene}") != std::string::npos && settings_.engine_scene.empty()) {
       return bad_input("--run: found {scene}, and " + settings_.log +
-                       " holds no scene text to put there; leave {scene} out, or record the log from a scene");
+                       " holds no scene text to put there; name a file by scene = \"…\" under [engine] of tumble.toml, "
+                       "a path from " +
+                       "its folder, leave {scene} out, or record the log from a scene");
     }
     record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
     return {};

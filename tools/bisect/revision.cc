@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "golden/suite/text_files.h"
+#include "replay/diff/difference_report.h"
 #include "replay/measure/measure_log.h"
 #include "src/base/check.h"
 #include "src/process/run_child.h"
@@ -209,8 +210,9 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   if (!settings_.metric) {
     Result<replay::LogReader> wanted = open_log(settings_.log);
     if (!wanted.ok()) return wanted.error();
-    const Result<replay::DiffReport> report = replay::diff_logs(*wanted, *log);
+    Result<replay::DiffReport> report = replay::diff_logs(*wanted, *log);
     if (!report.ok()) return skipped(report.error().message);
+    replay::name_by_own_axes(wanted->header(), log->header(), *report, nullptr);
     if (report->computed_again()) return answered(true, same_text(report->scope));
     return answered(
         false, report->first ? replay::describe(*report->first) : report->unequal("the log", "the revision's session"));

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/log_files.h"
-#include "tools/output/axes_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 
@@ -84,8 +83,8 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
     comparison.not_compared = difference.error().message;
     return comparison;
   }
-  difference = in_axes(common_axes(before->header(), after->header()), *std::move(difference));
   comparison.report.first = difference->first;
+  replay::name_by_own_axes(before->header(), after->header(), comparison.report, &*difference);
   comparison.difference = *std::move(difference);
   return comparison;
 }

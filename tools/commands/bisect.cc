@@ -108,14 +108,16 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
     settings.metric = *std::move(bound);
   }
   replay::EngineAxes axes;
+  replay::BodyTable named;
   bool is_external = false;
   if (!options.logs.empty()) {
-    const Result<replay::LogReader> log = open_log(options.logs[0]);
+    Result<replay::LogReader> log = open_log(options.logs[0]);
     if (!log.ok()) return log.error();
+    named = log->bodies();
     axes = log->header().axes();
     is_external = log->header().engine.has_value();
   }
-  Result<replay::MeasureOptions> measure = parse_measure(options.measure, axes);
+  Result<replay::MeasureOptions> measure = parse_measure(options.measure, axes, named);
   if (!measure.ok()) return measure.error();
   settings.measure = *std::move(measure);
   settings.case_name = options.case_name;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "replay/blame/body_contacts.h"
+#include "replay/measure/measure_options.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -25,7 +26,8 @@ constexpr std::uint64_t kBackMax = 1000;
 
 struct BlameCommand {
   std::string log;
-  std::optional<std::uint64_t> body;
+  std::string body_named;
+  std::optional<std::uint64_t> body;  // as the log has it
   std::optional<std::uint64_t> step;
   std::optional<std::uint64_t> back;
   std::string field;
@@ -47,9 +49,12 @@ Result<Exit> show_contacts(const BlameCommand& options, replay::LogReader& log) 
   return judge("blame", log, Exit::kSame);
 }
 
-Result<Exit> blame(const BlameCommand& options) {
+Result<Exit> blame(BlameCommand options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
+  const Result<sim::BodyId> body = replay::parse_body(options.body_named, log->bodies());
+  if (!body.ok()) return bad_input("--body: " + body.error().message);
+  options.body = *body;
   const process::InterruptGuard guard;
   if (options.contacts) return show_contacts(options, *log);
   replay::BlameQuestion question;
@@ -78,7 +83,8 @@ Result<Exit> blame(const BlameCommand& options) {
 Action declare_blame(Arguments& arguments) {
   auto options = std::make_shared<BlameCommand>();
   arguments.positional("LOG", options->log, "The log to explain").required();
-  arguments.whole("--body", "ID", options->body, 1, sim::kBodyIdMax, "The body whose value is asked about").required();
+  arguments.option("--body", "ID", options->body_named, "The body whose value is asked about, by its id or its name")
+      .required();
   const Argument field =
       arguments.option("--field", "NAME", options->field,
                        "The value: position.x, orientation.w, velocity.x, spin.x (angular velocity), frozen, …; unless "

@@ -21,7 +21,6 @@
 #include "tools/compare/tolerance_arguments.h"
 #include "tools/engine/zoom.h"
 #include "tools/files/log_files.h"
-#include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/gnuplot.h"
 #include "tools/output/progress.h"
@@ -58,18 +57,6 @@ Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const
   Result<replay::DifferenceReport> found = replay::report_difference(a, b, report, bar.progress());
   if (!found.ok()) return found.error();
   return Difference(*std::move(found));
-}
-
-// Names the fields by the table's axes where both logs have the same. Lengths stay in m, as --tolerance takes them.
-void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, replay::DiffReport& report,
-                   Difference& difference) {
-  const replay::EngineAxes axes = common_axes(a, b);
-  if (axes.ours()) return;
-  report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
-  if (report.first) report.first = in_axes(axes, *report.first);
-  if (!difference) return;
-  difference = in_axes(axes, *std::move(difference));
-  if (report.first) difference->cause = replay::cause_of(report, *report.first);  // which names the field too
 }
 
 Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
@@ -132,7 +119,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   if (report->first) name_bodies(a, b, *report->first);
   if (difference) name_bodies(a, b, difference->first);
   if (difference && difference->effect) name_bodies(a, b, *difference->effect);
-  name_by_table(a.header(), b.header(), *report, difference);
+  replay::name_by_own_axes(a.header(), b.header(), *report, difference ? &*difference : nullptr);
   const std::string read = options.brief ? "hashes; payloads not read" : read_of(a, b);
   std::optional<Zoom> zoom;
   if (options.zoom && report->first) {

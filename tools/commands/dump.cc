@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "replay/arrays/pair_cell.h"
+#include "replay/measure/measure_options.h"
 #include "replay/session/state_source.h"
 #include "src/base/schema_name.h"
 #include "tools/arguments/arguments.h"
@@ -35,7 +36,8 @@ struct DumpCommand {
   std::string log;
   std::optional<std::uint64_t> step;
   std::string steps;
-  std::optional<std::uint64_t> body;
+  std::string body_named;
+  std::optional<std::uint64_t> body;  // as the log has it
   bool csv = false;
   bool json = false;
 };
@@ -60,13 +62,6 @@ std::string cell_of(double number) {
   const bool plain = !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNaN);
   return plain ? exact(number) : exact_bits(number);
 }
-
-/// What a log says of its bodies beside their states.
-struct Told {
-  replay::EngineAxes axes;
-  replay::Declared declared;
-  replay::BodyTable bodies;
-};
 
 // Prints the rows of a dump in one of the three forms.
 class Output {
@@ -148,7 +143,7 @@ class JsonOutput : public Output {
   }
   void end_step(const replay::StepRecord& step, std::uint64_t /*body*/) override {
     Json extras = Json::object();
-    add_step_extras(told_.declared, step.extras, extras);
+    add_step_extras(told_.declared, told_.axes, step.extras, extras);
     std::cout << "\n]";
     if (!extras.empty()) {  // behind the members that there are already
       const std::string text = text_of(extras);
@@ -183,7 +178,7 @@ class TextOutput : public Output {
   }
   void end_step(const replay::StepRecord& step, std::uint64_t body) override {
     if (step.extras.empty()) return;
-    add_extra_rows(told_.declared, told_.bodies, step.step, step.extras, body, extras_);
+    add_extra_rows(told_, step.step, step.extras, body, extras_);
     has_extras_ = true;
   }
   void end() override {
@@ -250,9 +245,14 @@ Error no_such_body(const DumpCommand& options, const replay::LogReader& log, con
                    "; 'tumble dump' without --body lists those there are");
 }
 
-Result<Exit> dump(const DumpCommand& options) {
+Result<Exit> dump(DumpCommand options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
+  if (!options.body_named.empty()) {
+    const Result<sim::BodyId> body = replay::parse_body(options.body_named, log->bodies());
+    if (!body.ok()) return bad_input("--body: " + body.error().message);
+    options.body = *body;
+  }
   const Result<StepRange> range = range_of(options, *log);
   if (!range.ok()) return range.error();
   replay::StateSource source(*log);
@@ -280,7 +280,7 @@ Action declare_dump(Arguments& arguments) {
   const Argument step =
       arguments.whole("--step", "K", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");
   arguments.option("--steps", "A:B", options->steps, "The states after steps A to B").excludes(step);
-  arguments.whole("--body", "ID", options->body, 1, sim::kBodyIdMax, "Only the body with this id");
+  arguments.option("--body", "ID", options->body_named, "Only the body with this id, or of this name");
   const Argument csv = arguments.flag("--csv", options->csv, "Print a table of comma-separated values");
   arguments.json(options->json).excludes(csv);
   arguments.footer(

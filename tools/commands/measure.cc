@@ -76,6 +76,7 @@ std::vector<std::string> notes_of(const replay::LogReader& log, const replay::Me
     notes.push_back("measured up to step " + std::to_string(metrics.steps) + " of " + std::to_string(log.last_step()) +
                     ": the steps behind the lost ones are not measured");
   }
+  notes.insert(notes.end(), metrics.approximations.begin(), metrics.approximations.end());
   return notes;
 }
 
@@ -165,7 +166,7 @@ Result<Exit> measure(const MeasureCommand& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   const replay::EngineAxes axes = log->header().axes();
-  const Result<replay::MeasureOptions> how = parse_measure(options.over, axes);
+  const Result<replay::MeasureOptions> how = parse_measure(options.over, axes, log->bodies());
   if (!how.ok()) return how.error();
   std::optional<replay::LogReader> pair;
   if (!options.pair.empty()) {

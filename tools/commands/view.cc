@@ -72,7 +72,7 @@ std::string thin_text(const Json& head) {
 
 using Bounds = std::vector<replay::ViewedBound>;
 
-Result<Bounds> parse_bounds(const ViewCommand& options) {
+Result<Bounds> parse_bounds(const ViewCommand& options, replay::LogReader& log) {
   Bounds bounds;
   for (const std::string& text : options.require) {
     Result<replay::MetricBound> bound = replay::parse_metric_bound(text);
@@ -83,7 +83,7 @@ Result<Bounds> parse_bounds(const ViewCommand& options) {
     bounds.push_back({*std::move(bound)});
   }
   if (options.rules.empty()) return bounds;
-  Result<CaseBounds> of_case = bounds_of_case(options.rules);
+  Result<CaseBounds> of_case = bounds_of_case(options.rules, log.header().axes(), log.bodies());
   if (!of_case.ok()) return of_case.error();
   for (const std::string& note : of_case->notes) std::cerr << "tumble view: " << note << '\n';
   for (replay::ViewedBound& bound : of_case->bounds) bounds.push_back(std::move(bound));
@@ -152,8 +152,6 @@ Result<Exit> serve(const ViewCommand& options, Logs logs, const Bounds& bounds) 
 }
 
 Result<Exit> view(const ViewCommand& options) {
-  const Result<Bounds> bounds = parse_bounds(options);
-  if (!bounds.ok()) return bounds.error();
   Logs logs;
   for (const std::string& path : {options.log, options.other}) {
     if (path.empty()) continue;
@@ -162,6 +160,8 @@ Result<Exit> view(const ViewCommand& options) {
     if (!log.ok()) return log.error();
     logs.push_back(*std::move(log));
   }
+  const Result<Bounds> bounds = parse_bounds(options, logs.front());
+  if (!bounds.ok()) return bounds.error();
   if (options.output.empty()) return serve(options, std::move(logs), *bounds);
   Result<Exit> verdict = write_page(options, logs, *bounds);
   if (!verdict.ok()) return verdict;

@@ -116,6 +116,7 @@ class Grouping {
       Result<replay::DifferenceReport> difference = replay::report_difference(major, odd, group.against, progress_);
       if (!difference.ok()) return difference.error();
       group.against.first = difference->first;
+      replay::name_by_own_axes(major.header(), odd.header(), group.against, &*difference);
       group.difference = *std::move(difference);
     }
     return {};

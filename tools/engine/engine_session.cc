@@ -68,6 +68,7 @@ Result<EngineSession> run_engine_session(replay::LogReader& log, const golden::E
                          {"TUMBLE_PROBE_STEP", std::to_string(options.probed->step)}};
   }
   EngineSession session;
+  session.gets_inputs = project.run.find("{inputs}") != std::string::npos;
   const Result<std::vector<std::string>> words = golden::engine_words(project, project.run, *files);
   if (words.ok()) session.command = golden::engine_words_text(*words);
   golden::EngineProject run = project;

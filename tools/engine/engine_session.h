@@ -30,6 +30,7 @@ struct EngineSessionOptions {
 
 /// A session that an engine computed anew.
 struct EngineSession {
+  bool gets_inputs = true;            ///< its command has {inputs}
   std::string log;                    ///< its path, in the folder given
   std::string command;                ///< as a person would type it
   std::vector<std::string> warnings;  ///< of a table or a stream

@@ -31,7 +31,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kWarningsShown = 5;
 
 void print_text(const replay::DiffReport& report, const std::optional<replay::DifferenceReport>& difference,
-                const replay::LogReader& log, const replay::LogReader& again, bool brief) {
+                const replay::LogReader& log, const replay::LogReader& again, const EngineReplay& options,
+                bool gets_inputs) {
   for (const replay::HeaderDifference& header : report.headers) {
     std::cout << "header: " << printable(describe(header)) << '\n';
   }
@@ -41,7 +42,8 @@ void print_text(const replay::DiffReport& report, const std::optional<replay::Di
   const std::string only_in = report.only_in.text("the log", sides.actual);
   if (report.computed_again()) {
     std::cout << "same: " << count_text(report.steps, "step") << " computed again by " << engine
-              << " with the log's inputs, every compared bit as recorded";
+              << (gets_inputs ? " with the log's inputs" : "; its run has no {inputs}, so it got none of the log's")
+              << ", every compared bit as recorded";
     if (report.zeros > 0) std::cout << ", but for the sign of " << count_text(report.zeros, "zero");
     std::cout << '\n';
     if (!only_in.empty()) std::cout << "  " << printable(only_in) << ", which the log cannot judge\n";
@@ -63,7 +65,7 @@ void print_text(const replay::DiffReport& report, const std::optional<replay::Di
   }
   std::cout << "different: the first of " << count_text(log.step_count(), "step") << " that differs is step "
             << report.first->step << '\n';
-  if (difference && !brief) {
+  if (difference && !options.brief) {
     print_difference(*difference, Compared::kTwoLogs, sides);
   } else {
     std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
@@ -130,10 +132,11 @@ Result<Exit> compare_with(replay::LogReader& log, replay::LogReader& again, cons
     if (difference->effect) name_bodies(log, again, *difference->effect);
   }
   if (report->first) name_bodies(log, again, *report->first);
+  replay::name_by_own_axes(log.header(), again.header(), *report, difference ? &*difference : nullptr);
   if (options.json) {
     print_json("replay", json_of(*report, difference, session, again));
   } else {
-    print_text(*report, difference, log, again, options.brief);
+    print_text(*report, difference, log, again, options, session.gets_inputs);
   }
   const Exit verdict = report->computed_again() ? Exit::kSame : Exit::kDifference;
   return judge("replay", log, ended ? judge("replay", again, verdict) : verdict);

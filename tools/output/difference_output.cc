@@ -160,7 +160,9 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   listing.add("  largest separation",
               separation_text(separation.largest, sides) + ", step " + std::to_string(separation.largest.step));
   listing.add("  separation at the end", separation_text(separation.rows.back(), sides));
-  listing.add("  contacts", since(separation.contacts_from, separation.had_contacts));
+  const bool by_number = !separation.contacts_from && separation.had_contacts && !separation.contacts_by_value;
+  listing.add("  contacts", by_number ? "the same in number; their values are not compared"
+                                      : since(separation.contacts_from, separation.had_contacts));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from)
     listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) + " on");

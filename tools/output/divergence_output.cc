@@ -9,6 +9,8 @@
 #include <string_view>
 #include <variant>
 
+#include "tumble/replay/body_states.h"
+
 namespace tumble::tools {
 namespace {
 
@@ -114,6 +116,12 @@ void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence&
   } else if (found.body) {
     found.names = name(*found.body);
   }
+}
+
+Status check_states(const replay::LogReader& log, const replay::StepRecord& record) {
+  if (!record.has_states || replay::state_hash(record.states) == record.state_hash) return {};
+  return damaged(log.name() + ": the log is broken: the states of step " + std::to_string(record.step) +
+                 " do not match their state hash");
 }
 
 std::string hex_text(double value) { return hex_text(std::bit_cast<std::uint64_t>(value)); }

@@ -16,6 +16,9 @@ namespace tumble::tools {
 /// {"identical":…, "steps":…, "first":null|{…}}: the common part of `replay --json` and `diff --json`.
 Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first);
 
+/// An answer about states needs states that are those of the log's own hash. Errors (kDamaged): they are not.
+Status check_states(const replay::LogReader& log, const replay::StepRecord& record);
+
 /// The bits of a double or of a word, as 0x and 16 hexadecimal digits.
 std::string hex_text(double value);
 std::string hex_text(std::uint64_t word);

@@ -10,6 +10,7 @@
 
 #include "replay/arrays/pair_cell.h"
 #include "replay/diff/channel_difference.h"
+#include "replay/diff/difference_report.h"
 
 namespace tumble::tools {
 namespace {
@@ -102,7 +103,8 @@ void add_body_extras(const replay::Declared& declared, const replay::BodyTable& 
       });
 }
 
-void add_step_extras(const replay::Declared& declared, const replay::Extras& extras, Json& json) {
+void add_step_extras(const replay::Declared& declared, const replay::EngineAxes& axes, const replay::Extras& extras,
+                     Json& json) {
   for_each_channel(declared, extras, ChannelScope::kWorld,
                    [&](const replay::Channel& channel, const replay::ChannelValues& values) {
                      json["world"][channel.name] = channel_json(values.value(0, channel.type.kind), channel.type.kind);
@@ -119,9 +121,9 @@ void add_step_extras(const replay::Declared& declared, const replay::Extras& ext
   for (const replay::EngineContact& contact : extras.contacts) {
     json["contacts"].push_back({{"a", contact.a},
                                 {"b", contact.b},
-                                {"position", triple_json(contact.position)},
-                                {"normal", triple_json(contact.normal)},
-                                {"depth", number_json(contact.depth)},
+                                {"position", triple_json(axes.their_length(contact.position))},
+                                {"normal", triple_json(axes.their_direction(contact.normal))},
+                                {"depth", number_json(axes.their_metres(contact.depth))},
                                 {"impulse", number_json(contact.impulse)}});
   }
   for (const std::string& note : extras.notes) json["notes"].push_back(note);
@@ -201,8 +203,9 @@ std::vector<std::string> not_in_cells(const replay::Declared& declared, const re
   return parts;
 }
 
-void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& bodies, std::uint64_t step,
-                    const replay::Extras& extras, sim::BodyId body, Table& table) {
+void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body,
+                    Table& table) {
+  const auto& [axes, declared, bodies] = told;
   for (std::size_t i = 0; i < declared.channels.size(); ++i) {
     const auto& [name, type, unit] = declared.channels[i];
     const replay::ChannelValues& values = extras.values(i);
@@ -220,7 +223,8 @@ void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& b
     if (body != 0 && contact.a != body && contact.b != body) continue;
     const std::string other = contact.b == 0 ? "the world" : bodies.text(contact.b);
     table.add({std::to_string(step), "contact", printable(bodies.text(contact.a) + " and " + other),
-               "depth " + rounded(contact.depth, "m") + ", impulse " + rounded(contact.impulse, "N s")});
+               "depth " + rounded(axes.their_metres(contact.depth), axes.unit()) + ", impulse " +
+                   rounded(contact.impulse, "N s")});
   }
   if (body != 0) return;
   for (const std::string& note : extras.notes) table.add({std::to_string(step), "note", "", printable(note)});
@@ -242,11 +246,17 @@ void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const rep
     const auto count = [](std::size_t n) { return Json(count_text(n, "value")); };
     std::string name = row.name;
     if (row.first && row.first->body) name += ", " + a.bodies().text(*row.first->body);
-    if (row.first && row.first->pair) name += ", pair";
+    if (row.first && row.first->pair) {
+      const auto& [one, other] = *row.first->pair;
+      name += ", pair " + a.bodies().text(one) + " and " + (other == 0 ? "the world" : a.bodies().text(other));
+    }
+    std::optional<replay::Divergence> first = row.first;
+    if (first) first = in_axes(common_axes(a.header(), b.header()), *std::move(first));
+    if (first && first->field != row.name) name += ", " + first->field;
     rows.push_back({{"name", name},
-                    {"a", row.first ? value_json(row.first->expected) : count(row.in_a)},
-                    {"b", row.first ? value_json(row.first->actual) : count(row.in_b)},
-                    {"same", !row.first}});
+                    {"a", first ? value_json(first->expected) : count(row.in_a)},
+                    {"b", first ? value_json(first->actual) : count(row.in_b)},
+                    {"same", !first}});
   }
 }
 

@@ -8,11 +8,19 @@
 #include "tools/output/text.h"
 #include "tumble/replay/body_table.h"
 #include "tumble/replay/extras.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/step_record.h"
 
 /// Prints the channels, contacts and notes of a step.
 namespace tumble::tools {
+
+/// What a log says of its bodies beside their states.
+struct Told {
+  replay::EngineAxes axes;
+  replay::Declared declared;
+  replay::BodyTable bodies;
+};
 
 /// A value of a channel as JSON: a number where JSON holds it exactly, else a text; bytes in hexadecimal.
 Json channel_json(const replay::ChannelValue& value, replay::ChannelKind kind);
@@ -22,8 +30,9 @@ void add_body_extras(const replay::Declared& declared, const replay::BodyTable& 
                      sim::BodyId id, Json& json);
 
 /// Adds "world" (values of the step by channel), "pairs", "contacts", "notes", "superseded" and "snapshots" (bytes of
-/// each) to the JSON of a step, each where the step has any.
-void add_step_extras(const replay::Declared& declared, const replay::Extras& extras, Json& json);
+/// each) to the JSON of a step, each where the step has any. Contacts are in the axes and the unit of the engine.
+void add_step_extras(const replay::Declared& declared, const replay::EngineAxes& axes, const replay::Extras& extras,
+                     Json& json);
 
 /// "channel.NAME", with a part "channel.NAME.max", with a unit "channel.NAME (rad)".
 std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part = "");
@@ -46,8 +55,7 @@ std::vector<std::string> not_in_cells(const replay::Declared& declared, const re
                                       const std::vector<sim::BodyId>& bodies);
 
 /// For people: the lines "step, channel, of, value" of one step. body: only of this one; 0: all.
-void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& bodies, std::uint64_t step,
-                    const replay::Extras& extras, sim::BodyId body, Table& table);
+void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body, Table& table);
 
 /// Adds a row {name, a, b, same} a channel that both logs compare, and one for contacts: the first value that differs,
 /// or the number of values.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "replay/diff/difference_report.h"
 #include "replay/diff/input_difference.h"
 #include "replay/diff/step_contacts.h"
 #include "replay/format/little_endian.h"
@@ -56,6 +57,8 @@ Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const
 struct Kind {
   bool same_words = false;     ///< phase words and contacts mean the same
   bool imported = false;       ///< by another engine, which counts neither pairs nor contacts
+  bool binary32 = false;       ///< ULPs are those of floats
+  replay::EngineAxes axes;     ///< that name fields
   bool values_in_one = false;  ///< the other holds hashes: only the lengths of steps are in both
 };
 
@@ -88,7 +91,7 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const
 
 /// The fields that differ, of body i of a and body j of b.
 Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyStates& b, std::size_t j,
-                 const replay::EngineAxes& axes) {
+                 const Kind& kind) {
   Json fields = Json::array();
   const replay::ConstColumns in_a = replay::columns_of(a), in_b = replay::columns_of(b);
   for (std::size_t c = 0; c < replay::kColumnCount; ++c) {
@@ -98,9 +101,10 @@ Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyS
     shown.field = replay::kColumnNames[c];
     shown.expected = one;
     shown.actual = other;
-    shown = in_axes(axes, std::move(shown));
+    shown = in_axes(kind.axes, std::move(shown));
     const double shown_a = std::get<double>(shown.expected), shown_b = std::get<double>(shown.actual);
-    const std::optional<std::uint64_t> ulps = replay::ulps_between(one, other);
+    const std::optional<std::uint64_t> ulps =
+        kind.binary32 ? replay::ulps32_between(one, other) : replay::ulps_between(one, other);
     fields.push_back({{"field", shown.field},
                       {"a", number_json(shown_a)},
                       {"b", number_json(shown_b)},
@@ -114,7 +118,7 @@ Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyS
 }
 
 /// Bodies that differ, or that one of the two lacks.
-Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b, const replay::EngineAxes& axes) {
+Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b, const Kind& kind) {
   Json bodies = Json::array();
   std::size_t i = 0, j = 0;
   while (i < a.size() || j < b.size()) {
@@ -122,7 +126,7 @@ Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b, const
     const bool only_b = !only_a && (i == a.size() || b.id[j] < a.id[i]);
     if (only_a || only_b) {
       bodies.push_back({{"id", only_a ? a.id[i] : b.id[j]}, {"only_in", only_a ? "a" : "b"}});
-    } else if (Json fields = fields_json(a, i, b, j, axes); !fields.empty()) {
+    } else if (Json fields = fields_json(a, i, b, j, kind); !fields.empty()) {
       bodies.push_back({{"id", a.id[i]}, {"fields", std::move(fields)}});
     }
     if (!only_b) ++i;
@@ -176,13 +180,6 @@ void print_fields(const Json& body, Table& table) {
   }
 }
 
-/// An answer about states needs states that are those of the log's own hash.
-Status check_states(const replay::LogReader& log, const replay::StepRecord& record) {
-  if (!record.has_states || replay::state_hash(record.states) == record.state_hash) return {};
-  return damaged(log.name() + ": the log is broken: the states of step " + std::to_string(record.step) +
-                 " do not match their state hash");
-}
-
 /// One step of two logs.
 struct SideBySide {
   bool same = false;  ///< in every bit that both logs hold of it
@@ -205,6 +202,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
   if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
   const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine,
+                     replay::in_binary32(a.header(), b.header()), common_axes(a.header(), b.header()),
                      replay::one_holds_hashes_only(a.header(), b.header())};
   const bool signs = kind.imported && replay::forgive_zeros(in_a, in_b) > 0;
   if (signs && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
@@ -222,9 +220,8 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
   json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states && !kind.values_in_one;
-  const replay::EngineAxes axes = common_axes(a.header(), b.header());
-  json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, axes) : Json(nullptr);
-  json["axes"] = axes.ours() ? Json(nullptr) : axes_json(axes);
+  json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, kind) : Json(nullptr);
+  json["axes"] = kind.axes.ours() ? Json(nullptr) : axes_json(kind.axes);
   const auto same_rows = [](const Json& rows) {
     return std::ranges::all_of(rows, [](const Json& row) { return row["same"].get<bool>(); });
   };

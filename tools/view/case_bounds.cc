@@ -22,7 +22,8 @@ std::string bound_text(const golden::MetricRule& rule, const char* comparison, d
 
 }  // namespace
 
-Result<CaseBounds> bounds_of_case(const std::string& file) {
+Result<CaseBounds> bounds_of_case(const std::string& file, const replay::EngineAxes& axes,
+                                  const replay::BodyTable& named) {
   const Result<golden::CaseRules> rules = golden::read_rules(file);
   if (!rules.ok()) return rules.error();
   CaseBounds found;
@@ -32,9 +33,10 @@ Result<CaseBounds> bounds_of_case(const std::string& file) {
                             " compares with a transformed scene and has no value step by step; tumble check judges it");
       continue;
     }
+    if (Status ok = golden::check_axis(rule, axes); !ok.ok()) return ok.error();
     const auto add = [&](Comparison comparison, const char* sign, double limit) {
       replay::MetricBound bound{replay::find_metric(rule.name), comparison, limit, bound_text(rule, sign, limit)};
-      found.bounds.push_back({std::move(bound), golden::options_of(rule), rule.may_be_null});
+      found.bounds.push_back({std::move(bound), golden::options_of(rule, axes, named), rule.may_be_null});
     };
     if (rule.min) add(Comparison::kAtLeast, ">=", *rule.min);
     if (rule.max) add(Comparison::kAtMost, "<=", *rule.max);

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "replay/view/bound_scan.h"
+#include "tumble/replay/body_table.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::tools {
@@ -14,7 +16,9 @@ struct CaseBounds {
   std::vector<std::string> notes;  ///< for people: metrics that no timeline has
 };
 
-/// The bounds of a case's metrics.toml: one for each limit of each metric. Errors: read_rules'.
-Result<CaseBounds> bounds_of_case(const std::string& file);
+/// The bounds of a case's metrics.toml: one for each limit of each metric. axes and names: of the session. Errors:
+/// read_rules'; an axis that is not horizontal there.
+Result<CaseBounds> bounds_of_case(const std::string& file, const replay::EngineAxes& axes,
+                                  const replay::BodyTable& named);
 
 }  // namespace tumble::tools

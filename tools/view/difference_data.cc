@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "replay/diff/difference_report.h"
 #include "replay/view/phase_partings.h"
-#include "tools/output/axes_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/view/view_json.h"
@@ -48,8 +49,16 @@ Json partings_json(replay::LogReader& a, replay::LogReader& b, std::uint64_t fro
 }  // namespace
 
 Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const replay::Progress& progress) {
-  const Result<replay::DiffReport> report = replay::diff_logs(a, b, {}, progress);
+  Result<replay::DiffReport> report = replay::diff_logs(a, b, {}, progress);
   if (!report.ok()) return report.error();
+  std::optional<replay::DifferenceReport> closer;
+  if (report->first) {
+    Result<replay::DifferenceReport> found = replay::report_difference(a, b, *report, progress);
+    if (!found.ok()) return found.error();
+    closer = *std::move(found);
+    report->first = closer->first;
+  }
+  replay::name_by_own_axes(a.header(), b.header(), *report, closer ? &*closer : nullptr);
   Json json = comparison_json(report->identical(), report->steps, report->first);
   json["unequal"] = printable(report->unequal("A", "B"));
   json["state"] = "done";
@@ -61,12 +70,7 @@ Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const r
   json["compared"] = json["not_compared"] = Json::array();
   for (const std::string& part : report->scope.compared) json["compared"].push_back(printable(part));
   for (const std::string& part : report->scope.not_compared) json["not_compared"].push_back(printable(part));
-  if (!report->first) return json;
-  Result<replay::DifferenceReport> closer = replay::report_difference(a, b, *report, progress);
-  if (!closer.ok()) return closer.error();
-  if (const replay::EngineAxes axes = common_axes(a.header(), b.header()); !axes.ours()) {
-    closer = in_axes(axes, *std::move(closer));
-  }
+  if (!closer) return json;
   json["first"] = divergence_json(closer->first);
   json["magnitude"] = replay::magnitude(closer->first);
   add_difference(*closer, Compared::kTwoLogs, json);

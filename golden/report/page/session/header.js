@@ -24,7 +24,7 @@ function notices_of(page) {
     for (const [first, last, why] of session.gaps()) notices.push(["fail", `${who}steps ${first} to ${last}: ${why}`]);
     if (session.note) notices.push(["fail", `${who}${session.note}`]);
     if (session.unread && session.unread !== session.note) notices.push(["fail", `${who}The timeline was not read: ${session.unread}`]);
-    if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows lengths in m, z up`]);
+    if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows places in m, z up, and names the first difference by the table's axes`]);
     if (!thin) return;
     const every = thin.every > 1;
     const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`

@@ -1,0 +1,162 @@
+// An engine whose y points up and that computes in floats: every command names its fields, contacts and axes as the
+// engine does, counts ULPs of floats, and warns of what does not fit what the engine says of itself.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "replay/view/phase_partings.h"
+#include "tests/tools/float_engine.h"
+#include "tests/tools/json_output.h"
+#include "tumble/replay/log_reader.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+TEST(EngineAxes, EveryCommandNamesOneFieldAlike) {
+  const Workshop shop;
+  recorded(shop, "a");
+  recorded(shop, "b", heavier());
+  write_project(shop, "b");
+  const std::vector<std::vector<std::string>> commands = {
+      {"diff", "a.tumble", "b.tumble"}, {"bisect", "a.tumble", "b.tumble"}, {"replay", "a.tumble"}};
+  ordered_json values;
+  for (std::vector<std::string> command : commands) {
+    const std::string text = shop.run(command).out;
+    EXPECT_TRUE(says(text, "position.y")) << command.front() << text;
+    EXPECT_FALSE(says(text, "position.z")) << command.front() << text;
+    command.emplace_back("--json");
+    const ordered_json first = parsed(shop.run(command))["first"];
+    EXPECT_EQ(first["field"], "position.y") << command.front();
+    if (values.is_null()) values = first["actual"];
+    EXPECT_EQ(first["actual"], values) << command.front();
+    EXPECT_LT(first["ulps"], 100) << "floats: " << command.front();
+  }
+  const ordered_json step = parsed(shop.run({"diff", "a.tumble", "b.tumble", "--step", "20", "--json"}));
+  for (const ordered_json& field : step["bodies"][0]["fields"]) EXPECT_LT(field["ulps"], 100000) << field;
+}
+
+TEST(EngineAxes, ContactsAreInTheEnginesAxesAndUnit) {
+  const Workshop shop;
+  for (const int left : {0, 1}) {
+    FloatEngine engine;
+    engine.left_handed = left;
+    engine.metres = 0.01;
+    engine.told_gravity = -9.81;
+    recorded(shop, "cm" + std::to_string(left), engine);
+    const ordered_json contact =
+        parsed(shop.run({"dump", "cm" + std::to_string(left) + ".tumble", "--step", "3", "--json"}))["contacts"][0];
+    constexpr std::array<double, 3> kPlace = {10, 30, 20};
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(contact["position"][k].get<double>(), kPlace.at(k), 1e-12) << contact;
+      EXPECT_EQ(contact["normal"][k], k == 1 ? 1.0 : 0.0) << contact;
+    }
+    EXPECT_NEAR(contact["depth"].get<double>(), 0.5, 1e-12);
+  }
+}
+
+TEST(EngineAxes, ContactsThatAreTheFirstDifferenceAreSaidToDiffer) {
+  const Workshop shop;
+  recorded(shop, "a");
+  FloatEngine moved;
+  moved.contact_y = 31;
+  recorded(shop, "b", moved);
+  const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_TRUE(says(text.out, "contact.position.y")) << text.out;
+  EXPECT_TRUE(says(text.out, "1 m, 524288 ULPs")) << text.out;
+  EXPECT_TRUE(says(text.out, "differ from step 1 on")) << text.out;
+  EXPECT_FALSE(says(text.out, "the same")) << text.out;
+  EXPECT_EQ(parsed(shop.run({"diff", "a.tumble", "b.tumble", "--json"}))["aftermath"]["contacts_from"], 1);
+  const Outcome step = shop.run({"diff", "a.tumble", "b.tumble", "--step", "3"});
+  EXPECT_TRUE(says(step.out, "contacts, pair body 1 (ball) and the world, contact.position.y")) << step.out;
+  FloatEngine none;
+  none.contact_y = std::numeric_limits<double>::quiet_NaN();
+  recorded(shop, "c", none);
+  recorded(shop, "d", none);
+  EXPECT_FALSE(says(shop.run({"diff", "c.tumble", "d.tumble"}).out, "contacts of the engine"));
+  recorded(shop, "e");
+  EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "e.tumble"}).out, "contacts of the engine"));
+}
+
+TEST(EngineAxes, PhasesOfTwoLogsOfOneEngineAreCompared) {
+  const Workshop shop;
+  recorded(shop, "a");
+  recorded(shop, "b", heavier());
+  Result<replay::LogReader> a = replay::LogReader::open(shop.path("a.tumble"));
+  Result<replay::LogReader> b = replay::LogReader::open(shop.path("b.tumble"));
+  ASSERT_TRUE(a.ok() && b.ok());
+  const Result<replay::PhasePartings> found = replay::phase_partings(*a, *b, 1, {});
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_EQ(found->phases.size(), 2U);
+  EXPECT_TRUE(found->phases[0].step.has_value());
+  EXPECT_FALSE(found->phases[1].step.has_value());
+}
+
+TEST(EngineAxes, ACaseIsJudgedInThem) {
+  const Workshop shop;
+  recorded(shop, "a");
+  recorded(shop, "b", heavier());
+  write_project(shop, "a");
+  const auto write_case = [&](const std::string& axis) {
+    shop.write("golden/cases/fall/level.txt", "one ball\n");
+    shop.write("golden/cases/fall/metrics.toml",
+               "[engine]\nfiles = [\"level.txt\"]\n[[metric]]\nname = \"lateral_max\"\nmax = 1\naxis = \"" + axis +
+                   "\"\nwhy = \"it falls straight\"\n");
+  };
+  write_case("z");
+  const Outcome blessed = shop.run({"bless", "fall", "--reason", "a test"});
+  ASSERT_EQ(blessed.exit, 0) << blessed.err << blessed.out;
+  EXPECT_EQ(shop.run({"check"}).exit, 0) << "z is horizontal";
+  write_project(shop, "b");
+  const Outcome moved = shop.run({"check", "--report", "r"});
+  EXPECT_EQ(moved.exit, 1);
+  EXPECT_TRUE(says(moved.out, "position.y") || says(moved.out, "velocity.y")) << moved.out;
+  EXPECT_FALSE(says(moved.out, "position.z") || says(moved.out, "velocity.z")) << moved.out;
+  const std::string track = shop.read("r/cases/fall/expected_track.csv");
+  EXPECT_TRUE(track.starts_with("# axes: y up, right-handed, m\nstep,id,x_m,y_m,z_m\n0,1,1.0")) << track.substr(0, 90);
+  EXPECT_TRUE(says(track, "0,1,1.000000,10.000000,3.000000")) << track.substr(0, 90);
+  write_project(shop, "a");
+  write_case("y");
+  const Outcome up = shop.run({"check"});
+  EXPECT_EQ(up.exit, 1);
+  EXPECT_TRUE(says(up.out, "found y, which points up in the engine's axes (y up, right-handed, m); wanted x or z"))
+      << up.out;
+}
+
+TEST(EngineAxes, WhatDoesNotFitIsSaidWithTheRemedy) {
+  const Workshop shop;
+  int count = 0;
+  const auto import = [&](const FloatEngine& engine) { return recorded(shop, "w" + std::to_string(++count), engine); };
+  EXPECT_FALSE(says(import({}), "free flight"));
+  FloatEngine engine;
+  engine.told_gravity = -981;
+  EXPECT_TRUE(says(import(engine), "but gravity is 981 m/s^2; is \"gravity\", \"dt\" or the unit")) << "gravity";
+  engine = {};
+  engine.up = 'z';
+  EXPECT_TRUE(says(import(engine), "accelerate along -y")) << "up";
+  engine = {};
+  engine.velocity_factor = -1;
+  EXPECT_TRUE(says(import(engine), "against their velocities")) << "sign";
+  engine.velocity_factor = 57.3;
+  EXPECT_TRUE(says(import(engine), "as far in a step as their velocities say")) << "unit";
+  engine = {};
+  engine.told_dt = 0.02;
+  EXPECT_TRUE(says(import(engine), "is \"gravity\", \"dt\" or the unit of length another one?")) << "dt";
+  engine = {};
+  engine.scalar_last = true;
+  EXPECT_TRUE(says(import(engine), "in the order x y z w?")) << "quaternion";
+  engine = {};
+  engine.spin = 2;
+  EXPECT_FALSE(says(import(engine), "spins"));
+  engine.spin_factor = 57.2957795;
+  EXPECT_TRUE(says(import(engine), "degrees/s")) << "spin";
+  engine.spin_factor = -1;
+  EXPECT_TRUE(says(import(engine), "against their spins")) << "spin";
+}
+
+}  // namespace
+}  // namespace tumble::test
