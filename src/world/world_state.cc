@@ -63,7 +63,7 @@ std::uint32_t method_version(Method method) {
     case Method::kThesis:
       return 6;
     case Method::kLayered:
-      return 8;
+      return 9;
   }
   return 0;
 }

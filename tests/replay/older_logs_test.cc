@@ -62,6 +62,7 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_hashes_6_thesis",
                            "format_1.3_methods_6_layered",
                            "format_1.3_methods_7_layered",
+                           "format_1.3_methods_8_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_8_thesis",
@@ -93,6 +94,7 @@ TEST(OlderLogs, OfOtherVersionsOfTheMethodsAreReplayedWithANote) {
   for (const char* name :
        {"format_1.3_methods_7_layered", "format_1.3_hashes_7_layered", "format_1.3_hashes_8_layered"})
     expect_note(name, 7);
+  expect_note("format_1.3_methods_8_layered", 8);
 }
 
 /// Replays a frozen log, which must be the same in every bit, and returns what was noted.
@@ -104,7 +106,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_methods_6_thesis", "format_1.3_methods_8_layered"}) {
+  for (const char* name : {"format_1.3_methods_6_thesis", "format_1.3_methods_9_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }

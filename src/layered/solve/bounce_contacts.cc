@@ -22,12 +22,12 @@ void add_bounced(const Scratch& scratch, Hasher& hasher) {
 
 }  // namespace
 
-Status bounce_contacts(WorldState& /*state*/, Scratch& scratch, double dt_s) {
+Status bounce_contacts(WorldState& state, Scratch& scratch, double dt_s) {
   Hasher* const hasher = take_hasher(scratch);
   scratch.visits.first = scratch.visits.now;
   sweep_layers(scratch, Sweep::kRestitution, Direction::kUp, dt_s);
   if (hasher != nullptr) add_bounced(scratch, *hasher);
-  store_contacts(scratch, hasher);
+  store_contacts(scratch, hasher, length(state.def.gravity) * dt_s / state.def.substeps);
   return {};
 }
 

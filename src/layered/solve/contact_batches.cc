@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "src/layered/solve/keep_borne.h"
 #include "src/math/grid.h"
 #include "src/world/manifold_hashes.h"
 
@@ -70,12 +71,19 @@ void mark_bounces(const ContactWork& work) {
   for (std::size_t k = 0; k < work.count; ++k) work.batches[k].bounces = bounces(work, work.batches[k]);
 }
 
-void store_contacts(Scratch& scratch, Hasher* hasher) {
+void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
   const ContactBatches& all = scratch.contact_batches;
+  const auto inverse_mass = [&](BodyIndex i) { return i == kGround ? 0.0 : scratch.solver_bodies[i].inverse_mass; };
   const auto store = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = scratch.manifolds[scratch.layered[k]];
-      store_contact(all, all.place[scratch.layered[k]], m, points_of(scratch, m));
+      const std::uint32_t place = all.place[scratch.layered[k]];
+      const ContactBatch& batch = all.batches[place / kLanes];
+      const ContactLane contact{batch, all.points.data() + batch.first, place % kLanes};
+      const std::span<ManifoldPoint> points = points_of(scratch, m);
+      const double before = impulse_of(contact, points);
+      store_contact(all, place, m, points);
+      keep_borne(contact, before, fall / std::max(inverse_mass(m.a), inverse_mass(m.b)), m, points);
     }
   };
   GatheredNumbers numbers(hasher);

@@ -11,8 +11,9 @@ namespace tumble::sim {
 /// Marks the batches in which a point met fast enough to bounce. Reads each point's `approach`.
 void mark_bounces(const ContactWork& work);
 
-/// Copies impulses, friction and separations from the batches back to manifolds and points; with a hasher, adds them.
-void store_contacts(Scratch& scratch, Hasher* hasher);
+/// Copies impulses, friction and separations from the batches back to manifolds and points, less what stopped bodies
+/// (keep_borne.h); with a hasher, adds them. fall: m/s, what gravity gives in a substep.
+void store_contacts(Scratch& scratch, Hasher* hasher, double fall);
 /// Adds what store_contacts has copied to the manifolds [begin, end) of scratch.layered.
 void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 void store_fast_contacts(Scratch& scratch);

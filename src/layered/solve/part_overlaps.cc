@@ -16,8 +16,8 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kPart = 1.0 / 3;       // of an overlap, removed in a step
-constexpr double kSweepDepth = 0.0005;  // m of overlap that is worth one more sweep
+constexpr double kPart = 1.0 / 3;        // of an overlap, removed in a step
+constexpr double kSweepDepth = 0.00005;  // m of overlap that is worth one more sweep
 constexpr double kSweepsMost = 20;
 
 // Sweeps beyond those of a step that is warm: boxes that lie deep in each other from the start jam if few sweeps part

@@ -1,0 +1,89 @@
+// Method layered after a hit: what stopped a body must not move it again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/sim_scenes.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::test {
+namespace {
+
+using sim::BodyIndex;
+using sim::SceneDef;
+using sim::Vec3;
+using sim::World;
+
+constexpr sim::Material kRough{.friction = 0.848, .friction_dynamic = 0.304, .restitution = 0},
+    kIce{.friction = 0, .friction_dynamic = 0, .restitution = 0};
+
+SceneDef layered(double dt, std::uint32_t substeps, const sim::Material& ground) {
+  SceneDef scene = on_ground();
+  scene.world.method = sim::Method::kLayered;
+  scene.world.dt = dt;
+  scene.world.substeps = substeps;
+  scene.world.freezing = false;
+  scene.world.ground_material = ground;
+  return scene;
+}
+
+void add(SceneDef& scene, const Vec3& size, const Vec3& position, const Vec3& velocity, const sim::Material& material) {
+  scene.boxes.push_back(box(static_cast<sim::BodyId>(scene.boxes.size() + 1), size, position));
+  scene.boxes.back().velocity = velocity;
+  scene.boxes.back().material = material;
+}
+
+// J, of motion and height.
+double energy(const World& world) {
+  const sim::Bodies& bodies = world.bodies();
+  double sum = 0;
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    sum += sim::kinetic_energy(bodies, i) - bodies.mass[i] * sim::dot(world.state().def.gravity, bodies.position[i]);
+  }
+  return sum;
+}
+
+// The first step stops the box almost a centimetre above the ground, which it does not reach in the second.
+TEST(AfterAHit, ABoxThatMeetsNothingFallsOnAlone) {
+  SceneDef scene = layered(0.02, 4, kRough);
+  add(scene, {0.6, 0.6, 0.58}, {0, 0, 0.354}, {2, 0, -2.6}, kRough);
+  World world = made(scene);
+  advance(world);
+  const Vec3 before = world.bodies().velocity[0];
+  advance(world);
+  const Vec3 after = world.bodies().velocity[0];
+  EXPECT_NEAR(after.x(), before.x(), 1e-9);
+  EXPECT_NEAR(after.y(), before.y(), 1e-9);
+  EXPECT_NEAR(after.z(), before.z() + scene.world.gravity.z() * scene.world.dt, 1e-9);
+}
+
+TEST(AfterAHit, NoBoxIsThrownUp) {
+  for (const std::uint32_t substeps : {1U, 2U, 8U}) {
+    SceneDef scene = layered(0.03, substeps, kIce);
+    add(scene, {1, 1.3, 1.005}, {0, 0, 0.503}, {0, 0, 0}, kIce);
+    add(scene, {1, 1.3, 1.01}, {0, 0, 1.57}, {0, 0, -2.5}, kIce);
+    World world = made(scene);
+    double least = energy(world);
+    for (int k = 0; k < 20; ++k) {
+      advance(world);
+      EXPECT_LE(energy(world), least + 0.001 * 0.5 * 1000 * 1.3 * 2.5 * 2.5) << substeps << " substeps, step " << k;
+      least = std::min(least, energy(world));
+    }
+  }
+}
+
+// A heavy body is braked for several steps, and sinks into nothing meanwhile.
+TEST(AfterAHit, ALongBrakingIsNotBegunAnew) {
+  SceneDef scene = layered(1.0 / 60, 8, kRough);
+  for (int k = 0; k < 5; ++k) add(scene, {1, 1, 1}, {0, 0, k + 0.5}, {0, 0, 0}, kRough);
+  for (sim::BoxDef& cube : scene.boxes) cube.mass = 1;
+  add(scene, {1, 1, 1}, {0, 0, 5.55}, {0, 0, -2}, kRough);
+  World world = made(scene);
+  for (int k = 0; k < 30; ++k) advance(world);
+  for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
+    EXPECT_NEAR(world.bodies().position[i].z(), i + 0.5, 0.003) << i;
+  }
+}
+
+}  // namespace
+}  // namespace tumble::test
