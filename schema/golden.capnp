@@ -33,6 +33,9 @@ struct Expected {
   contactHash @22 :Data;        # (N + 1) x UInt32, planes: of the engine's contacts in states 0 .. N; empty: none
   keepsShapes @23 :Bool;        # shapes are those of the session
   shapes @24 :List(BodyShape);  # ascending ids: of another engine's bodies that are no boxes
+  setup @25 :Data;              # of another engine's session: the header of a log (log.capnp, Header) without motions;
+                                # scene.inputs: before each step with another dt or an input, a set_dt, then the inputs;
+                                # scene.steps: up to this step they are kept. Empty: not kept
 }
 
 struct BodyShape {

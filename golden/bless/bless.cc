@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <system_error>
@@ -14,6 +15,7 @@
 #include "golden/run/run_case.h"
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
+#include "replay/log/told_values.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 
@@ -85,6 +87,9 @@ Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
   return handed;
 }
 
+/// A note of the session itself, which no blessing takes away.
+bool says_cut(const std::string& note) { return note.starts_with(replay::kToldNote); }
+
 Blessing blessing_of(const CaseResult& result, bool is_new) {
   Blessing blessing{.name = result.name, .is_new = is_new, .bits = {}, .details = {}, .metrics = result.metrics};
   const Verdict& exact = result.verdict(VerdictKind::kExact);
@@ -95,6 +100,7 @@ Blessing blessing_of(const CaseResult& result, bool is_new) {
     blessing.bits = "made anew, for the old golden could not be read";
   }
   if (!is_new && result.difference) blessing.details = result.difference->details;
+  std::ranges::copy_if(result.notes, std::back_inserter(blessing.details), says_cut);
   for (const PictureResult& picture : result.pictures) {
     if (!picture.message.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.message);
   }
@@ -104,7 +110,7 @@ Blessing blessing_of(const CaseResult& result, bool is_new) {
 
 bool changes_something(const CaseResult& result, const std::string& old_rules, const std::string& new_rules) {
   return result.verdict(VerdictKind::kExact).outcome != Outcome::kPass || !result.problems.empty() ||
-         !result.notes.empty() || old_rules != new_rules ||
+         !std::ranges::all_of(result.notes, says_cut) || old_rules != new_rules ||
          std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.message.empty(); });
 }
 

@@ -52,6 +52,7 @@ bool is_extra(const FirstDifference& difference) {
 }
 
 constexpr std::size_t kExtrasNamed = 4;
+constexpr std::size_t kSetupShown = 3;  // in a sentence; the details have all
 
 }  // namespace
 
@@ -61,9 +62,18 @@ std::string describe(const Apart& apart, const replay::BodyTable& names) {
 }
 
 std::string describe(const FirstDifference& difference) {
+  if (difference.phase == kSetup) {
+    std::string text = "the engine was told otherwise";
+    for (std::size_t k = 0; k < std::min(difference.details.size(), kSetupShown); ++k) {
+      text += (k == 0 ? ": " : "; ") + difference.details[k];
+    }
+    return text + (difference.states_from ? "; states differ from step " + number(*difference.states_from)
+                                          : "; all states agree");
+  }
   std::string text = "step " + number(difference.step);
+  if (difference.phase.starts_with("before step")) text = difference.phase;
   if (difference.substep) text += ", substep " + number(*difference.substep);
-  text += ", phase " + difference.phase;
+  if (!difference.phase.starts_with("before step")) text += ", phase " + difference.phase;
   if (is_extra(difference)) text = "step " + number(difference.step) + ", " + difference.phase;
   if (!difference.states_from && is_extra(difference)) return text + "; all states agree";
   if (!difference.states_from) return text + "; all states agree, but not the steps between them";
@@ -96,13 +106,28 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
         "blessed before goldens kept shapes: a body of another shape is not seen; bless the case to have them "
         "compared");
   }
-  if (!same_phases_) notes_.emplace_back("the phases have other names than when it was blessed: only states compare");
+  if (header.engine && expected.setup) setup_ = setup_differences(expected.setup->header, header);
+  if (header.engine && !expected.setup) {
+    notes_.emplace_back(
+        "blessed before goldens kept what an engine is told (gravity, ground, masses, materials, names, precision): "
+        "a change of these is not seen; bless the case to have them compared");
+    setup_ = phase_differences(expected.phases, header.phases);
+  }
+  if (!same_phases_ && !header.engine)
+    notes_.emplace_back("the phases have other names than when it was blessed: only states compare");
+}
+
+/// What was done before the step may be why it differs, and says more than its phase.
+void ExpectedComparer::note_told(const replay::StepRecord& record) {
+  if (first_ && first_->step == record.step && expected_.setup) {
+    first_->told = step_difference(*expected_.setup, record);
+  }
 }
 
 void ExpectedComparer::note_first(std::uint64_t step, const std::string& phase, std::optional<std::uint32_t> substep) {
   if (!first_)
     first_ = FirstDifference{
-        .step = step, .substep = substep, .phase = phase, .states_from = {}, .details = {}, .apart = {}};
+        .step = step, .substep = substep, .phase = phase, .told = {}, .states_from = {}, .details = {}, .apart = {}};
 }
 
 void ExpectedComparer::add(const replay::StepRecord& record) {
@@ -120,6 +145,7 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
     if (!first_->states_from) first_->states_from = record.step;
   }
   if (extras_) compare_extras(record);
+  note_told(record);
   shapes_.add(record);
   if (first_ && first_->states_from) look_closer(record);
   follow_state(record);
@@ -152,6 +178,7 @@ std::vector<std::string> ExpectedComparer::other_shapes() const {
 std::vector<std::string> ExpectedComparer::extras() const {
   std::vector<std::string> parts = extras_ ? extras_->compared() : std::vector<std::string>();
   if (expected_.shapes) parts.emplace_back("shapes of bodies");
+  if (expected_.setup) parts.emplace_back("gravity, ground, masses, materials and names");
   return parts;
 }
 
@@ -167,7 +194,8 @@ void ExpectedComparer::compare_words(const replay::StepRecord& record) {
   std::size_t word = 0;
   while (word < shorter && actual[word] == wanted[word]) ++word;
   if (word == shorter && actual.size() == wanted.size()) {
-    if (record.state_hash == expected_.state_hashes[record.step]) note_first(record.step, "inputs or counters");
+    if (record.state_hash != expected_.state_hashes[record.step]) return;
+    note_first(record.step, "inputs or counters");
     return;
   }
   std::optional<std::uint32_t> substep;
@@ -242,7 +270,10 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
   }
   const bool known = continuation != Hash128{} && expected_.continuation != Hash128{} && same_phases_;
   if (known && continuation != expected_.continuation) note_first(steps_, "hidden state");
+  if (!first_ && !setup_.empty()) note_first(0, kSetup);
   if (!first_) return std::nullopt;
+  if (!first_->told.empty()) first_->details.push_back(first_->told);
+  first_->details.insert(first_->details.end(), setup_.begin(), setup_.end());
   for (const std::string& detail : {bodies_detail_, field_detail_}) {
     if (!detail.empty()) first_->details.push_back(detail);
   }

@@ -22,13 +22,17 @@ struct Apart {
 /// "2.4 m apart (body 71, step 300)", "not a number (body 71, step 300)".
 std::string describe(const Apart& apart, const replay::BodyTable& names = {});
 
+/// FirstDifference::phase where only what the engine was told differs: gravity, a mass, names, phases.
+inline constexpr const char* kSetup = "setup";
+
 /// The first difference between a session and its golden, for people and programs.
 struct FirstDifference {
   std::uint64_t step = 0;
   std::optional<std::uint32_t> substep;  ///< if the golden has words for each substep
-  /// "find_contacts", …; "start", "inputs or counters", "step", "hidden state"; "channel.knee" or "contacts" where
-  /// these of another engine differ and its states do not.
+  /// "find_contacts", …; "setup" where only what the engine was told differs; "start", "inputs or counters", "step",
+  /// "hidden state"; "channel.knee" or "contacts" where these of another engine differ and its states do not.
   std::string phase;
+  std::string told = {};  ///< "before step 7, dt: 0.0166 → 0.02": of an engine's session, where the golden keeps it
   std::optional<std::uint64_t> states_from;  ///< the first step whose state differs; none: no state does
   std::vector<std::string> details;  ///< sentences: bodies and fields at the nearest stored state, how far apart
   std::optional<Apart>
@@ -56,7 +60,7 @@ class ExpectedComparer {
   /// Bodies of another shape than in the golden, a sentence each; of all steps given.
   [[nodiscard]] std::vector<std::string> other_shapes() const;
 
-  /// The channels, contacts and shapes that were compared, in words.
+  /// The channels, contacts, shapes and the setup that were compared, in words.
   [[nodiscard]] std::vector<std::string> extras() const;
 
   /// Reasons why something could not be compared, such as phase words of another version.
@@ -64,6 +68,7 @@ class ExpectedComparer {
 
  private:
   void compare_words(const replay::StepRecord& record);
+  void note_told(const replay::StepRecord& record);
   void compare_extras(const replay::StepRecord& record);
   void look_closer(const replay::StepRecord& record);
   void follow_track(const replay::StepRecord& record);
@@ -72,6 +77,7 @@ class ExpectedComparer {
   void note_first(std::uint64_t step, const std::string& phase, std::optional<std::uint32_t> substep = {});
 
   const Expected& expected_;
+  std::vector<std::string> setup_;  // what was told otherwise
   bool same_phases_;
   bool same_words_;                       // and their hashes cover the same fields
   std::optional<ExtrasComparer> extras_;  // none: the golden is older than channels

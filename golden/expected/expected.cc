@@ -116,7 +116,8 @@ Milestones choose_milestones(std::uint64_t steps, std::size_t bodies) {
 ExpectedBuilder::ExpectedBuilder(const replay::LogHeader& header, std::uint64_t steps, const Hash128& scene)
     : milestones_(choose_milestones(steps, header.scene.boxes.size())),
       extras_(header.declared.channels),
-      shapes_(header) {
+      shapes_(header),
+      setup_(header) {
   expected_.provenance.version = TUMBLE_VERSION;
   expected_.method = header.method;
   expected_.method_version = header.method_version;
@@ -134,6 +135,7 @@ void ExpectedBuilder::add(const replay::StepRecord& record) {
   }
   extras_.add(record);
   shapes_.add(record);
+  setup_.add(record);
   const auto is_in = [&](const std::vector<std::uint64_t>& steps) {
     return std::ranges::binary_search(steps, record.step);
   };
@@ -146,6 +148,7 @@ Expected ExpectedBuilder::finish(const Hash128& continuation) {
   expected_.continuation = continuation;
   expected_.extras = extras_.finish();
   expected_.shapes = shapes_.shapes();
+  expected_.setup = setup_.finish();
   return std::move(expected_);
 }
 

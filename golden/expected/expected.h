@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tumble/golden/expected_extras.h"
+#include "tumble/golden/expected_setup.h"
 #include "tumble/golden/provenance.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/hash.h"
@@ -55,8 +56,9 @@ struct Expected {
   std::optional<ExpectedExtras> extras;  ///< channels and contacts; none: blessed before goldens kept them
   /// Of bodies of another engine; none: of Tumble, or blessed before goldens kept them.
   std::optional<std::vector<BodyShape>> shapes;
-  std::string scene_text;  ///< scene.toml when it was blessed; empty: not kept
-  Provenance provenance;   ///< of the run that was blessed; an old golden has a version alone
+  std::optional<ExpectedSetup> setup;  ///< likewise
+  std::string scene_text;              ///< scene.toml when it was blessed; empty: not kept
+  Provenance provenance;               ///< of the run that was blessed; an old golden has a version alone
 
   [[nodiscard]] std::uint64_t steps() const { return state_hashes.empty() ? 0 : state_hashes.size() - 1; }
   friend bool operator==(const Expected&, const Expected&) = default;
@@ -100,6 +102,7 @@ class ExpectedBuilder {
   Milestones milestones_;
   ExtrasKeeper extras_;
   ShapesKeeper shapes_;
+  SetupKeeper setup_;
 };
 
 }  // namespace tumble::golden

@@ -85,7 +85,7 @@ void encode_provenance(const Provenance& from, schema::Provenance::Builder out) 
   out.setSeconds(from.seconds);
 }
 
-void encode_root(const Expected& expected, schema::Expected::Builder out) {
+Status encode_root(const Expected& expected, schema::Expected::Builder out) {
   out.setToolVersion(expected.provenance.version);
   out.setSceneText(expected.scene_text);
   if (!expected.provenance.date.empty()) encode_provenance(expected.provenance, out.initProvenance());
@@ -117,6 +117,7 @@ void encode_root(const Expected& expected, schema::Expected::Builder out) {
   for (unsigned i = 0; i < track.size(); ++i) encode_track(expected.track[i], track[i]);
   if (expected.extras) encode(*expected.extras, out);
   if (expected.shapes) encode(*expected.shapes, out);
+  return expected.setup ? encode(*expected.setup, out) : Status();
 }
 
 Status decode_hashes(schema::Expected::Reader in, Expected& out) {
@@ -229,6 +230,7 @@ Result<Expected> decode_root(schema::Expected::Reader in) {
   if (ok.ok()) ok = decode_list("track", in.getTrack(), steps, out.track, decode_track);
   if (ok.ok()) ok = decode(in, steps, out.extras);
   if (ok.ok()) ok = decode(in, out.shapes);
+  if (ok.ok()) ok = decode(in, out.setup);
   if (!ok.ok()) return ok.error();
   return out;
 }
@@ -237,8 +239,11 @@ Result<Expected> decode_root(schema::Expected::Reader in) {
 
 Result<replay::MessageBytes> encode(const Expected& expected) {
   const std::size_t guess = expected.steps() * 300 + 4096;
-  return replay::write_message<schema::Expected>(guess,
-                                                 [&](schema::Expected::Builder out) { encode_root(expected, out); });
+  Status done;
+  Result<replay::MessageBytes> message = replay::write_message<schema::Expected>(
+      guess, [&](schema::Expected::Builder out) { done = encode_root(expected, out); });
+  if (!done.ok()) return done.error();
+  return message;
 }
 
 Result<Expected> decode(const replay::MessageBytes& message) {

@@ -1,6 +1,7 @@
 #include "golden/expected/extras_codec.h"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "replay/codec/blob.h"
 #include "replay/codec/channel_codec.h"
+#include "replay/codec/header_codec.h"
 #include "replay/format/limits.h"
 
 namespace tumble::golden {
@@ -115,6 +117,46 @@ Status decode(schema::Expected::Reader in, std::optional<std::vector<BodyShape>>
   const bool ascend = std::ranges::adjacent_find(found, std::greater_equal<>(), &BodyShape::id) == found.end();
   if (!ascend) return damaged("shapes: found ids out of order");
   shapes = std::move(found);
+  return {};
+}
+
+Status encode(const ExpectedSetup& setup, schema::Expected::Builder out) {
+  replay::LogHeader header = setup.header;
+  header.scene.steps = setup.steps_until;
+  header.scene.inputs.clear();
+  for (const StepSetup& step : setup.steps) {
+    header.scene.inputs.push_back({step.step, sim::SetDt{step.dt}});
+    for (const sim::Command& input : step.inputs) header.scene.inputs.push_back({step.step, input});
+  }
+  const Result<replay::MessageBytes> message = replay::encode_header(header);
+  if (!message.ok()) return message.error();
+  const std::span<const std::byte> bytes = message->bytes();
+  auto data = out.initSetup(static_cast<unsigned>(bytes.size()));
+  std::memcpy(data.begin(), bytes.data(), bytes.size());
+  return {};
+}
+
+Status decode(schema::Expected::Reader in, std::optional<ExpectedSetup>& setup) {
+  const capnp::Data::Reader data = in.getSetup();
+  if (data.size() == 0) return {};
+  if (data.size() % 8 != 0) return damaged("setup: found " + std::to_string(data.size()) + " bytes");
+  replay::MessageBytes message(data.size());
+  std::memcpy(message.bytes().data(), data.begin(), data.size());
+  Result<replay::LogHeader> header = replay::decode_header(message);
+  if (!header.ok()) return Error{header.error().kind, "setup: " + header.error().message};
+  ExpectedSetup found{*std::move(header), {}, 0};
+  found.steps_until = std::exchange(found.header.scene.steps, 0);
+  for (sim::TimedCommand& input : std::exchange(found.header.scene.inputs, {})) {
+    if (!found.steps.empty() && input.step < found.steps.back().step) return damaged("setup: found steps out of order");
+    if (!found.steps.empty() && input.step == found.steps.back().step) {
+      found.steps.back().inputs.push_back(std::move(input.command));
+      continue;
+    }
+    const auto* dt = std::get_if<sim::SetDt>(&input.command);
+    if (dt == nullptr) return damaged("setup: found a step without its dt");
+    found.steps.push_back({input.step, dt->dt, {}});
+  }
+  setup = std::move(found);
   return {};
 }
 

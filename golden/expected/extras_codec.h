@@ -6,6 +6,7 @@
 
 #include "schema/golden.capnp.h"
 #include "tumble/golden/expected_extras.h"
+#include "tumble/golden/expected_setup.h"
 #include "tumble/sim/result.h"
 
 /// Channels and contacts in the message of a golden. Included by codecs only.
@@ -21,5 +22,9 @@ void encode(const std::vector<BodyShape>& shapes, schema::Expected::Builder out)
 
 /// shapes: none where the golden keeps none. Errors (kDamaged): ids out of order.
 Status decode(schema::Expected::Reader in, std::optional<std::vector<BodyShape>>& shapes);
+
+/// Likewise the setup. Errors. kBadInput: a header of a newer program. kDamaged: no header, or steps out of order.
+Status encode(const ExpectedSetup& setup, schema::Expected::Builder out);
+Status decode(schema::Expected::Reader in, std::optional<ExpectedSetup>& setup);
 
 }  // namespace tumble::golden

@@ -164,7 +164,9 @@ Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& questi
   for (const auto& [k, result] : done) {
     const std::string file = (*files)[k].string();
     if (!result.failure.empty()) {
-      out.broken.push_back({file, kSurvives, broken(0, 0, "the program " + result.failure)});
+      out.broken.push_back(
+          {file, kSurvives,
+           broken(0, 0, (question.engine ? "Tumble's judge, and not the engine, " : "the program ") + result.failure)});
       continue;
     }
     Result<Judged> judged = judgements_from(result.output);

@@ -185,7 +185,9 @@ class Hunt {
     finding.relation = kSurvives;
     const Result<TextScene> scene = drawn_scene(state_.seed, number);
     if (scene.ok()) finding.kind = scene->scene.title.substr(0, scene->scene.title.find(','));
-    finding.judgement = broken(0, 0, "the program " + failure);
+    // An engine runs in a process of its own, whose end is that of its session: this process was Tumble's.
+    const std::string whose = state_.engine.empty() ? "the program " : "Tumble's judge, and not the engine, ";
+    finding.judgement = broken(0, 0, whose + failure);
     return finding;
   }
 

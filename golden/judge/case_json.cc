@@ -108,6 +108,7 @@ Json difference_json(const FirstDifference& difference) {
   return {{"step", difference.step},
           {"substep", or_null(difference.substep)},
           {"phase", difference.phase},
+          {"told", difference.told},
           {"states_from", or_null(difference.states_from)},
           {"apart", difference.apart ? apart_json(*difference.apart) : Json(nullptr)},
           {"words", describe(difference)},
@@ -118,6 +119,7 @@ FirstDifference difference_from(const Json& json) {
   FirstDifference difference{.step = json.at("step"),
                              .substep = optional_at<std::uint32_t>(json, "substep"),
                              .phase = json.at("phase"),
+                             .told = json.value("told", ""),
                              .states_from = optional_at<std::uint64_t>(json, "states_from"),
                              .details = json.at("details"),
                              .apart = {}};

@@ -43,10 +43,14 @@ std::string bits_text(const CaseResult& result) {
   if (exact == Outcome::kNone) return "bits not judged";
   if (!result.difference) return "bits moved";
   const FirstDifference& difference = *result.difference;
+  if (difference.phase == kSetup) {
+    return "the engine was told otherwise" + (difference.details.empty() ? "" : ": " + difference.details.front());
+  }
   const std::string size = difference.apart ? describe(*difference.apart) + ", " : "";
   const bool is_extra = difference.phase.starts_with("channel.") || difference.phase == "contacts";
   const std::string subject = is_extra ? difference.phase : "bits";
-  return size + subject + " moved from step " + std::to_string(difference.step);
+  const std::string told = difference.told.empty() ? "" : " (" + difference.told + ")";
+  return size + subject + " moved from step " + std::to_string(difference.step) + told;
 }
 
 std::string metrics_text(const CaseResult& result) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "golden/judge/judge_metrics.h"
+#include "golden/suite/file_changes.h"
 #include "golden/suite/metric_values.h"
 #include "replay/format/not_finite.h"
 #include "replay/import/table_notes.h"
+#include "replay/log/hashes_only.h"
+#include "replay/log/told_values.h"
 #include "replay/session/state_source.h"
 #include "src/base/text.h"
 
@@ -24,6 +27,7 @@ class Pass {
   Pass(replay::LogReader& log, const Reference& reference)
       : log_(log),
         reference_(reference),
+        told_(log.header()),
         metrics_(log.header(), reference.rules),
         builder_(log.header(), log.step_count(), reference.scene) {
     if (reference.expected != nullptr) comparer_.emplace(*reference.expected, log.header());
@@ -33,6 +37,10 @@ class Pass {
     Judged judged;
     CaseResult& result = judged.result;
     result.steps = log_.step_count();
+    if (replay::holds_hashes_only(log_.header())) {
+      result.problems.emplace_back("its session holds hashes only, wanted values: there is no body to judge");
+      return judged;
+    }
     if (const Status status = read_all(); !status.ok()) {
       result.problems.push_back(status.error().message);
       return judged;
@@ -41,6 +49,7 @@ class Pass {
     if (lost_) result.problems.push_back("not finite: " + to_string(*lost_, log_.header().axes()));
     if (const std::string lost = contacts_.not_finite(); !lost.empty())
       result.problems.push_back("not finite: " + lost);
+    if (const std::string told = told_.impossible(); !told.empty()) result.problems.push_back(told);
     result.bodies = bodies_;
     result.final_hash = to_string(final_hash_);
     result.continuation = to_string(reference_.continuation);
@@ -49,6 +58,7 @@ class Pass {
     judge_exact(result);
     judge_behaviour(judged);
     if (std::string odd = contacts_.no_direction(); !odd.empty()) result.notes.push_back(std::move(odd));
+    if (std::string told = told_.note(); !told.empty()) result.notes.push_back(std::move(told));
     return judged;
   }
 
@@ -65,6 +75,7 @@ class Pass {
       if (comparer_) comparer_->add(step);
       contacts_.add(k, k == 0 ? log_.header().declared.start.contacts : step.extras.contacts);
       if (!lost_) lost_ = replay::first_not_finite(step.states, step.step);
+      told_.add(step);
       metrics_.add(step);
       builder_.add(step);
       final_hash_ = step.state_hash;
@@ -140,7 +151,8 @@ class Pass {
     if (expected.scene_text.empty()) {
       words += " (its golden does not keep the scene's text: git's history of scene.toml has it)";
     } else if (!reference_.scene_text.empty()) {
-      result.scene_changes = scene_changes(expected.scene_text, reference_.scene_text);
+      result.scene_changes = has_files ? file_changes(expected.scene_text, reference_.scene_text)
+                                       : scene_changes(expected.scene_text, reference_.scene_text);
       for (std::size_t k = 0; k < std::min(result.scene_changes.size(), kLinesNamed); ++k) {
         words += (k == 0 ? ": " : ", ") + describe(result.scene_changes[k]);
       }
@@ -168,6 +180,7 @@ class Pass {
   replay::LogReader& log_;
   const Reference& reference_;
   std::optional<ExpectedComparer> comparer_;
+  replay::ToldWatch told_;
   MetricSet metrics_;
   ExpectedBuilder builder_;
   replay::BodyStates last_;

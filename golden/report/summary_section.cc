@@ -24,6 +24,8 @@ double distance_of(const CaseResult& result) {
 std::string first_difference_of(const CaseResult& result) {
   if (!result.difference) return "–";
   const std::string& phase = result.difference->phase;
+  if (phase == kSetup) return "told otherwise";
+  if (!result.difference->told.empty()) return result.difference->told;
   const bool is_extra = phase.starts_with("channel.") || phase == "contacts";
   return "step " + std::to_string(result.difference->step) + (is_extra ? ", " : ", phase ") + phase;
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "golden/suite/file_changes.h"
 #include "golden/suite/text_files.h"
 
 namespace tumble::golden {
@@ -18,15 +19,16 @@ Hash128 hash_of(const Bytes& bytes) {
 }  // namespace
 
 Result<std::string> engine_files_text(const CaseFolder& folder, const EngineCase& engine) {
-  std::string text;
+  std::string text, contents;
   for (const std::string& name : engine.all_files()) {
     const Result<std::vector<std::byte>> bytes = read_bytes(folder.path / name);
     if (!bytes.ok()) return bad_input("[engine]: " + bytes.error().message);
     text += name + " = " + to_string(hash_of(*bytes)) + '\n';
+    contents += text_to_keep(name, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   }
-  return text;
+  return contents.empty() ? text : text + '\n' + contents;
 }
 
-Hash128 engine_files_hash(const std::string& text) { return hash_of(text); }
+Hash128 engine_files_hash(const std::string& text) { return hash_of(hash_lines(text)); }
 
 }  // namespace tumble::golden

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "golden/judge/judge_metrics.h"
+#include "golden/run/repeated_runs.h"
+#include "replay/log/told_values.h"
 #include "tumble/golden/change.h"
 
 namespace tumble::golden {
@@ -11,7 +13,17 @@ std::string obstacle_to_bless(const CaseRun& run, const std::filesystem::path& r
   const CaseResult& result = run.result;
   if (!run.incomplete.empty()) return run.incomplete;
   for (const std::string& problem : result.problems) {
-    if (problem.starts_with("unreferenced") || problem.starts_with("not finite")) return problem;
+    if (problem.starts_with("unreferenced") || problem.starts_with("not finite") ||
+        problem.starts_with(replay::kToldImpossible)) {
+      return problem;
+    }
+  }
+  const Verdict& exact = result.verdict(VerdictKind::kExact);
+  const bool needs_bits = std::ranges::find(run.rules.require, VerdictKind::kExact) != run.rules.require.end();
+  if (needs_bits && exact.message.starts_with(kDoesNotRepeat)) {
+    return exact.message + "; " + rules.string() +
+           " requires exact, so the next check would fail whatever is blessed: make the engine repeat, or require "
+           "behaviour alone";
   }
   for (std::size_t k = 0; k < run.pictures.size(); ++k) {
     if (run.pictures[k].png.empty()) return result.pictures[k].rule.file() + " " + result.pictures[k].message;

@@ -135,7 +135,7 @@ void RepeatedRuns::finish() {
   result.runs_message +=
       "; each metric is judged against its own spread over the runs: it has moved where the median "
       "is further from the blessed value";
-  result.verdict(VerdictKind::kExact) = {Outcome::kFail, "the engine does not repeat itself: " + difference_};
+  result.verdict(VerdictKind::kExact) = {Outcome::kFail, std::string(kDoesNotRepeat) + ": " + difference_};
   result.notes.push_back(difference_);
   // A session that could not be measured has its problem already.
   if (!judged_.values.empty()) judge_metrics_of_all();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "replay/diff/separation.h"
@@ -11,6 +12,9 @@
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {
+
+/// How the exact verdict begins where the runs of an engine differ among themselves.
+inline constexpr std::string_view kDoesNotRepeat = "the engine does not repeat itself";
 
 /// Several runs of an engine's case, judged together (`repeat`). Where they differ, the engine does not repeat itself
 /// to the bit: the exact verdict fails, every metric has to hold its bounds in every run, its value is the median, and

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -138,6 +139,21 @@ void add_stretch(Lines gone, const Lines& came, std::vector<SceneChange>& change
   for (const Line& line : gone) changes.push_back({line.number, line.table, line.text, ""});
 }
 
+/// The change of an engine's file, whose name stands in place of a table.
+bool is_file(const SceneChange& change) { return !change.table.empty() && change.table.front() != '['; }
+
+std::string change_of_file(const SceneChange& change) {
+  const std::string& before = change.before;
+  const std::string& after = change.after;
+  if (change.line == 0) {
+    const std::string what = before + after;
+    return change.table + (what.empty() ? " (the golden does not keep its text: git's history has it)" : ": " + what);
+  }
+  const std::string place = change.table + ", line " + std::to_string(change.line) + ": ";
+  if (before.empty()) return place + "new: " + shortened(after);
+  return place + (after.empty() ? "gone: " + shortened(before) : shortened(before) + " → " + shortened(after));
+}
+
 std::string value_of(const std::string& line) {
   const std::size_t equals = line.find('=');
   const std::size_t from = equals == std::string::npos ? 0 : line.find_first_not_of(' ', equals + 1);
@@ -147,6 +163,7 @@ std::string value_of(const std::string& line) {
 }  // namespace
 
 std::string describe(const SceneChange& change) {
+  if (is_file(change)) return change_of_file(change);
   const std::string place = (change.after.empty() ? "line " + std::to_string(change.line) + " of the old scene"
                                                   : "line " + std::to_string(change.line)) +
                             (change.table.empty() ? "" : ", " + change.table) + ": ";

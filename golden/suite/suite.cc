@@ -38,7 +38,12 @@ Error unknown_case(const Suite& suite, const std::string& name) {
   std::vector<std::string_view> names;
   for (const CaseFolder& known : suite.cases) names.push_back(known.name);
   const std::string_view nearest = nearest_word(name, names);
-  const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
+  std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
+  if (nearest.empty() && !names.empty()) {
+    const std::size_t shown = std::min<std::size_t>(names.size(), 8);
+    hint = "; it has " + list_text({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown)});
+    if (names.size() > shown) hint += " and " + std::to_string(names.size() - shown) + " more";
+  }
   return bad_input("no case " + in_quotes(name) + " in " + (suite.root / "cases").string() + hint);
 }
 

@@ -1,7 +1,6 @@
 #include "tumble/replay/engine_log.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "replay/format/chain.h"
@@ -19,7 +18,7 @@ namespace tumble::replay {
 namespace {
 
 /// Writes a state into a row unchanged: without rounding to a grid, without normalising.
-void put(sim::Bodies& bodies, sim::BodyIndex i, const EngineState& state) {
+void put_state(sim::Bodies& bodies, sim::BodyIndex i, const EngineState& state) {
   bodies.position.set(i, state.position);
   bodies.orientation.set(i, state.orientation);
   bodies.velocity.set(i, state.velocity);
@@ -27,19 +26,11 @@ void put(sim::Bodies& bodies, sim::BodyIndex i, const EngineState& state) {
   bodies.frozen[i] = state.frozen && bodies.is_static[i] == 0 ? 1 : 0;
 }
 
-void put(sim::Bodies& bodies, const sim::BoxDef& box) {
-  put(bodies, *bodies.find(box.id), {box.position, box.orientation, box.velocity, box.spin, box.frozen});
+void put_state(sim::Bodies& bodies, const sim::BoxDef& box) {
+  put_state(bodies, *bodies.find(box.id), {box.position, box.orientation, box.velocity, box.spin, box.frozen});
 }
 
-/// Errors (kBadInput): a finite orientation that is no rotation, which would be measured and drawn wrongly.
-Status check_rotation(sim::BodyId id, const sim::Quat& q) {
-  const double length = std::sqrt(sim::squared_length(q));
-  if (!(std::fabs(length - 1) > EngineState::kLengthOffMax) || !std::isfinite(length)) return {};
-  return bad_input("body " + std::to_string(id) + ": found an orientation of length " + significant(length, 9) +
-                   ", wanted 1; divide its numbers by the length");
-}
-
-Result<sim::World> world_of(const sim::SceneDef& start) {
+Result<sim::World> world_of(const sim::SceneDef& start, const EngineDef& def) {
   if (Status ok = sim::check_def(start.world); !ok.ok()) return ok.error();
   if (start.boxes.size() > sim::kBodiesMax) {
     return bad_input("found more than " + std::to_string(sim::kBodiesMax) + " bodies");
@@ -49,14 +40,21 @@ Result<sim::World> world_of(const sim::SceneDef& start) {
   sim::BodyId before = 0;
   for (const sim::BoxDef& box : start.boxes) {
     if (Status ok = sim::check_box(box); !ok.ok()) return ok.error();
-    if (Status ok = check_rotation(box.id, box.orientation); !ok.ok()) return ok.error();
+    if (Status ok = check_rotation(box.id, box.orientation, EngineState::kLengthOffMax); !ok.ok()) return ok.error();
     if (box.id <= before) return bad_input("body " + std::to_string(box.id) + ": ids must ascend and be unique");
     before = box.id;
     sim::insert_body(state, box);
   }
   Result<sim::World> world = sim::World::restore(std::move(state));
   if (!world.ok()) return world;
-  for (const sim::BoxDef& box : start.boxes) put(world->mutable_state().bodies, box);
+  sim::Bodies& bodies = world->mutable_state().bodies;
+  for (const sim::BoxDef& box : start.boxes) put_state(bodies, box);
+  for (const auto& [id, told] : def.start_states) {
+    const auto row = bodies.find(id);
+    if (!row) return bad_input("found a state of body " + std::to_string(id) + ", wanted a body of the start");
+    if (Status ok = check_rotation(id, told.orientation, EngineState::kLengthOffMax); !ok.ok()) return ok.error();
+    put_state(bodies, *row, told);
+  }
   return world;
 }
 
@@ -109,7 +107,7 @@ Result<std::unique_ptr<EngineLog>> EngineLog::create(std::unique_ptr<ByteSink> s
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const MakeSink& make_sink, const EngineDef& def,
                                                      const sim::SceneDef& start) {
   if (Status ok = check_engine(def); !ok.ok()) return ok.error();
-  Result<sim::World> world = world_of(start);
+  Result<sim::World> world = world_of(start, def);
   if (!world.ok()) return world.error();
   const Status told = check_bodies(def.declared.start, def.declared.channels, world->bodies(), {});
   if (!told.ok()) return told.error();
@@ -145,12 +143,12 @@ Status EngineLog::input(const sim::Command& command) {
   const auto* thrown = std::get_if<sim::Throw>(&command);
   Status applied;
   if (thrown != nullptr) {
-    Status turned = check_rotation(thrown->box.id, thrown->box.orientation);
+    Status turned = check_rotation(thrown->box.id, thrown->box.orientation, EngineState::kLengthOffMax);
     if (!turned.ok()) return at_step(turned.error().message);
     sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
     awake.box.frozen = false;
     applied = sim::apply(world_, awake);
-    if (applied.ok()) put(world_.mutable_state().bodies, thrown->box);
+    if (applied.ok()) put_state(world_.mutable_state().bodies, thrown->box);
   } else {
     applied = sim::apply(world_, command);
   }
@@ -162,12 +160,13 @@ Status EngineLog::input(const sim::Command& command) {
 Status EngineLog::set_state(sim::BodyId id, const EngineState& state) {
   const auto row = world_.bodies().find(id);
   if (!row) return at_step("found a state of body " + std::to_string(id) + ", wanted the id of a body that exists");
-  if (Status ok = check_rotation(id, state.orientation); !ok.ok()) return at_step(ok.error().message);
+  if (Status ok = check_rotation(id, state.orientation, EngineState::kLengthOffMax); !ok.ok())
+    return at_step(ok.error().message);
   if (told_.empty()) told_.assign(world_.bodies().size(), 0);
   SIM_CHECK(told_.size() == world_.bodies().size(), told_.size(), world_.bodies().size());
   if (told_[*row] != 0) return at_step("found a second state of body " + std::to_string(id) + ", wanted one in a step");
   told_[*row] = 1;
-  put(world_.mutable_state().bodies, *row, state);
+  put_state(world_.mutable_state().bodies, *row, state);
   return {};
 }
 

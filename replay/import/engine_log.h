@@ -25,17 +25,6 @@ namespace tumble::replay {
 
 class StepValues;
 
-struct EngineDef {
-  EngineName engine;
-  /// Names of the phases for set_phase_hashes(), in the order in which they run. Empty: steps have no phase hashes.
-  std::vector<std::string> phases = {};
-  std::optional<ImportedTable> table = {};  ///< of an import; states are given in SI units, z up, all the same
-  /// Channels by ascending names, shapes, names of the bodies of the start, values of state 0.
-  Declared declared = {};
-  /// The number of the state that the log begins with; above 0 if the steps before it were not kept.
-  std::uint64_t first_state = 0;
-};
-
 /// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the
 /// bit, NaN included. An orientation that is finite and no rotation is refused: its length must be within kLengthOffMax
 /// of 1.
@@ -46,6 +35,19 @@ struct EngineState {
   sim::Vec3 velocity = {0, 0, 0};
   sim::Vec3 spin = {0, 0, 0};
   bool frozen = false;  ///< the engine has put the body to sleep
+};
+
+struct EngineDef {
+  EngineName engine;
+  /// Names of the phases for set_phase_hashes(), in the order in which they run. Empty: steps have no phase hashes.
+  std::vector<std::string> phases = {};
+  std::optional<ImportedTable> table = {};  ///< of an import; states are given in SI units, z up, all the same
+  /// Channels by ascending names, shapes, names of the bodies of the start, values of state 0.
+  Declared declared = {};
+  /// States of the start that no scene can hold, to the bit: of bodies of the start, whose boxes have others.
+  std::vector<std::pair<sim::BodyId, EngineState>> start_states = {};
+  /// The number of the state that the log begins with; above 0 if the steps before it were not kept.
+  std::uint64_t first_state = 0;
 };
 
 /// Writes the log of another engine, step by step.

@@ -4,6 +4,7 @@
 #include <set>
 #include <variant>
 
+#include "replay/log/told_values.h"
 #include "replay/log/session_clock.h"
 
 namespace tumble::replay {
@@ -11,12 +12,13 @@ namespace {
 
 class FactCounter {
  public:
-  explicit FactCounter(LogReader& log) : log_(log) {
+  explicit FactCounter(LogReader& log) : log_(log), told_(log.header()) {
     facts_.bodies_at_start = log.header().scene.boxes.size();
     facts_.moving_body_steps = 0;
     for (const sim::BoxDef& box : log.header().scene.boxes) note_static(box);
     if (Result<const StepRecord*> start = log.read_step(log.first_state()); start.ok()) {
       facts_.final_hash = (*start)->state_hash;
+      told_.add(**start);
     }
   }
 
@@ -30,6 +32,7 @@ class FactCounter {
       }
     }
     facts_.seconds = clock_.now();
+    facts_.told = told_.note();
     return facts_;
   }
 
@@ -40,6 +43,7 @@ class FactCounter {
 
   void count(const StepRecord& record) {
     ++facts_.steps_read;
+    told_.add(record);
     clock_.add_step(record.dt);
     facts_.final_hash = record.state_hash;
     for (const sim::Command& input : record.inputs) {
@@ -59,6 +63,7 @@ class FactCounter {
 
   LogReader& log_;
   LogFacts facts_;
+  ToldWatch told_;
   SessionClock clock_;
   std::set<sim::BodyId> statics_;
 };

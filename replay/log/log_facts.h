@@ -23,6 +23,8 @@ struct LogFacts {
                                                    ///< for a log that lacks the states of a step
   std::optional<Hash128> final_hash;               ///< state hash of the last readable step
 
+  std::string told;  ///< that the scene does not hold what the engine told, for people; empty: it does
+
   /// Bytes of the whole file divided by moving_body_steps; none without a moving body or without that count.
   [[nodiscard]] std::optional<double> bytes_per_moving_body_step(std::uint64_t file_bytes) const;
 };

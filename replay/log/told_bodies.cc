@@ -1,6 +1,7 @@
 #include "replay/log/told_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -47,6 +48,13 @@ Status check_bodies(const Extras& extras, const std::vector<Channel>& channels, 
     }
   }
   return {};
+}
+
+Status check_rotation(sim::BodyId id, const sim::Quat& q, double off_max) {
+  const double length = std::sqrt(sim::squared_length(q));
+  if (!(std::fabs(length - 1) > off_max) || !std::isfinite(length)) return {};
+  return bad_input("body " + std::to_string(id) + ": found an orientation of length " + significant(length, 9) +
+                   ", wanted 1; divide its numbers by the length");
 }
 
 }  // namespace tumble::replay

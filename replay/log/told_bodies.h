@@ -15,4 +15,8 @@ namespace tumble::replay {
 Status check_bodies(const Extras& extras, const std::vector<Channel>& channels, const sim::Bodies& bodies,
                     std::span<const sim::Command> inputs);
 
+/// Errors (kBadInput): a finite orientation that is no rotation, which would be measured and drawn wrongly: its length
+/// is further than off_max from 1.
+Status check_rotation(sim::BodyId id, const sim::Quat& q, double off_max);
+
 }  // namespace tumble::replay

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "replay/log/session_clock.h"
@@ -72,6 +73,7 @@ struct Metrics {
   std::vector<Parting> partings;            ///< from another session; the Measurer knows none
   Hash128 final_hash;                       ///< the state hash after the last step
   std::vector<std::string> approximations;  ///< for people: StateMeter::approximations()
+  std::string told;                         ///< ToldWatch::note(), which measure_log() sets
   LostBodies not_finite;                    ///< bodies that were not finite in a measured state
 };
 

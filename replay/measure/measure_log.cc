@@ -1,5 +1,6 @@
 #include "replay/measure/measure_log.h"
 
+#include "replay/log/told_values.h"
 #include "replay/session/state_source.h"
 
 namespace tumble::replay {
@@ -8,6 +9,7 @@ Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options,
                             const std::function<void(const SeriesRow&)>& each_row, const Progress& progress) {
   StateSource source(log);
   Measurer measurer(log.header(), options);
+  ToldWatch told(log.header());
   const std::uint64_t first = log.first_state();
   const std::vector<MissingSteps>& missing = log.header().missing();
   const std::uint64_t last = missing.empty() ? log.last_step() : missing.front().first_step - 1;
@@ -21,11 +23,13 @@ Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options,
     record = needs_states ? source.read(k) : log.read_hashes(k);
     if (!record.ok()) return record.error();
     measurer.add(**record);
+    told.add(**record);
     if (each_row && measurer.started()) each_row(measurer.row());
     if (progress && !progress(k - first, last - first)) return cannot_finish(log.name() + ": interrupted");
   }
   Result<Metrics> metrics = measurer.finish((*record)->states);
   if (!metrics.ok()) return Error{metrics.error().kind, log.name() + ": " + metrics.error().message};
+  metrics->told = told.note();
   return metrics;
 }
 

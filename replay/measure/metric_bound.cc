@@ -81,8 +81,12 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
   if (number.empty() || error != std::errc() || rest != end || !std::isfinite(bound.bound)) return not_understood(text);
   bound.metric = find_metric(name);
   if (bound.metric == nullptr) {
+    std::vector<std::string_view> names;
+    for (const MetricRow& row : metric_list()) names.emplace_back(row.name);
+    const std::string_view near = nearest_word(name, names);
     return bad_input("found no metric \"" + name +
-                     "\"; 'tumble measure --json' and docs/metrics.md have the names, and channel.NAME.max the "
+                     (near.empty() ? std::string("\"; ") : "\"; did you mean \"" + std::string(near) + "\"? ") +
+                     "'tumble measure --json' and docs/metrics.md have the names, and channel.NAME.max the "
                      "largest value of a channel, parting_time.0.01 the time up to which no body is further than "
                      "0.01 m from its place in another session");
   }

@@ -37,6 +37,7 @@ class StreamImporter {
 
   /// Finds what steps declare. Those that a rewind took back come first: what they declared holds on.
   Status survey() {
+    StreamBodies scout(stream_.header().axes, stream_.header().gravity);  // for the values that will be cut
     for (const StreamFrame& frame : stream_.rewound()) {
       const Result<StreamStep> step = decode(frame);
       if (!step.ok()) return step.error();
@@ -44,11 +45,13 @@ class StreamImporter {
       for (const StreamMesh& mesh : step->meshes) bodies_.add(mesh);
     }
     for (const StreamFrame& frame : stream_.steps()) {
-      const Result<StreamStep> step = decode(frame);
+      Result<StreamStep> step = decode(frame);
       if (!step.ok()) return step.error();
       if (first_dt_ == 0) first_dt_ = step->dt;
       extras_.survey(*step);
       for (const StreamMesh& mesh : step->meshes) bodies_.add(mesh);
+      extras_.survey_told(scout.cut(*step));
+      (void)scout.end_start();
     }
     Result<RollbackCheck> rollbacks = check_rollbacks(stream_);
     if (!rollbacks.ok()) return rollbacks.error();
@@ -109,7 +112,8 @@ class StreamImporter {
     def.first_state = start.step;
     if (header.hashes_only) def.phases.assign(kStreamClasses.begin(), kStreamClasses.end());
     if (!header.axes.ours()) def.table = ImportedTable{header.axes, {}};
-    Result<Declared> declared = extras_.declare(start, bodies_);
+    def.start_states = bodies_.end_start();
+    Result<Declared> declared = extras_.declare(start, bodies_.axes(), bodies_.take_told());
     if (!declared.ok()) return declared.error();
     def.declared = *std::move(declared);
     Result<std::vector<EngineSnapshot>> begun = snapshots(start.step);
@@ -175,7 +179,7 @@ class StreamImporter {
       bodies_.look_at(told.id, step.step, step.dt, *state);
     }
     if (Status ok = tell_phases(log, step); !ok.ok()) return ok;
-    if (Status ok = extras_.tell(log, step, bodies_.axes()); !ok.ok()) return ok;
+    if (Status ok = extras_.tell(log, step, bodies_.axes(), bodies_.take_told()); !ok.ok()) return ok;
     if (Status ok = tell_snapshots(log, step.step); !ok.ok()) return ok;
     for (const auto& [k, record] : rollbacks_.steps) {
       if (k != step.step) continue;

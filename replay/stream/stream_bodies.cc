@@ -48,101 +48,13 @@ EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) c
           axes_.length(vector_at(numbers, 7)), axes_.axial(vector_at(numbers, 10)), asleep};
 }
 
-void StreamBodies::note_cut(std::uint64_t id, const Range& range, double value, double cut) {
-  const std::string owner = id == 0 ? "" : "body " + std::to_string(id) + ": ";
-  std::string note =
-      owner + range.what + " of " + number_text(value) + range.unit + " is logged as " + number_text(cut) + range.unit;
-  if (notes_.empty() || notes_.back() != note) notes_.push_back(std::move(note));
-}
-
-double StreamBodies::within(std::uint64_t id, const Range& range, double value) {
-  if (value >= range.low && value <= range.high) return value;
-  const double cut = std::isnan(value) ? range.for_nan : std::clamp(value, range.low, range.high);
-  note_cut(id, range, value, cut);
-  return cut;
-}
-
-sim::Vec3 StreamBodies::within(std::uint64_t id, const Range& range, const sim::Vec3& value) {
-  return {within(id, range, value.x()), within(id, range, value.y()), within(id, range, value.z())};
-}
-
-sim::Vec3 StreamBodies::gravity(const sim::Vec3& theirs) {
-  const Range range = {"a gravity", " m/s²", -sim::kGravityMax, sim::kGravityMax, 0};
-  const sim::Vec3 kept = within(0, range, axes_.length(theirs));
-  plausible_.set_gravity(kept);
-  return kept;
-}
-
-std::vector<std::string> StreamBodies::notes() const {
-  std::vector<std::string> all = notes_;
-  plausible_.add_to(all);
-  return all;
-}
-
-double StreamBodies::length_within(std::uint64_t id, const Range& range, double theirs) {
-  const double metres = theirs * axes_.metres;
-  if ((theirs > 0 || metres == range.low) && metres <= range.high) return theirs;
-  if (theirs < 0 && -metres <= range.high) {
-    note_cut(id, range, metres, -metres);
-    return -theirs;
-  }
-  return within(id, range, metres) / axes_.metres;
-}
-
-void StreamBodies::keep_sizes(StreamStep& step) {
-  const double most = kShapeLengthMax / 2;  // far enough below for a unit that rounds
-  const Range radius = {"a radius", " m", sim::kSizeMin, most, 1};
-  for (StreamInput& input : step.inputs) {
-    auto* body = std::get_if<StreamBody>(&input);
-    if (body == nullptr) continue;
-    const bool is_round = body->shape >= kSphere && body->shape <= kCylinder;
-    if (is_round) body->size[0] = length_within(body->id, radius, body->size[0]);
-    if (is_round && body->shape != kSphere) {
-      const Range length = {"a length", " m", body->shape == kCapsule ? 0 : sim::kSizeMin, most, 1};
-      body->size[1] = length_within(body->id, length, body->size[1]);
-    }
-    for (int k = 0; k < 3 && !is_round; ++k) {  // what else is wrong with an edge, keep_within() sees
-      if (body->size[k] < 0) body->size[k] = length_within(body->id, {"an edge", " m", 0, most, 1}, body->size[k]);
-    }
-  }
-}
-
-void StreamBodies::keep_within(sim::BoxDef& box) {
-  const Range edge = {"an edge", " m", sim::kSizeMin, sim::kSizeMax, 1};
-  const Range place = {"a coordinate at its start", " m", -sim::kPositionMax, sim::kPositionMax, 0};
-  const Range velocity = {"a velocity at its start", " m/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
-  const Range spin = {"an angular velocity at its start", " rad/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
-  for (int k = 0; k < 3; ++k) {
-    box.size[k] = within(box.id, edge, box.size[k]);
-    box.position[k] = within(box.id, place, box.position[k]);
-    box.velocity[k] = within(box.id, velocity, box.velocity[k]);
-    box.spin[k] = within(box.id, spin, box.spin[k]);
-  }
-  sim::Material& material = box.material;
-  box.mass = within(box.id, {"a mass", " kg", sim::kMassMin, sim::kMassMax, 1}, box.mass);
-  material.friction = within(box.id, {"a friction", "", 0, sim::kFrictionMax, 0}, material.friction);
-  material.friction_dynamic = material.friction;
-  material.restitution = within(box.id, {"a restitution", "", 0, 1, 0}, material.restitution);
-  const sim::Quat& q = box.orientation;
-  const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  if (std::fabs(length - 1) <= EngineState::kLengthOffMax) return;
-  const std::string named = "body " + std::to_string(box.id) + ": an orientation at its start ";
-  if (length > 1e-6 && length < 1e6) {
-    notes_.push_back(named + "of length " + significant(length, 9) + " is logged divided by its length");
-    box.orientation = {q.w / length, q.x / length, q.y / length, q.z / length};
-  } else {
-    notes_.push_back(named + "that is no rotation is logged as none");
-    box.orientation = sim::Quat();
-  }
-}
-
 void StreamBodies::note_not_finite(const StreamState& state, std::uint64_t step) {
   const auto found = std::ranges::find_if_not(state.numbers, [](double number) { return std::isfinite(number); });
   if (found_not_finite_ || state.same || found == state.numbers.end()) return;
   found_not_finite_ = true;
   const auto field = static_cast<std::size_t>(found - state.numbers.begin());
-  notes_.push_back("step " + std::to_string(step) + ": body " + std::to_string(state.id) + ": " +
-                   kStreamNumberNames[field] + " is " + exact_bits(*found) + "; the body is lost from there on");
+  note("not finite", "step " + std::to_string(step) + ": body " + std::to_string(state.id) + ": " +
+                         kStreamNumberNames[field] + " is " + exact_bits(*found) + "; the body is lost from there on");
 }
 
 sim::BoxDef StreamBodies::add(const StreamBody& body) {
@@ -152,10 +64,10 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.id = body.id;
   box.size = axes_.extents(box_around(body));
   if (body.shape > kCylinder && !meshes_.contains(body.mesh_hash)) {
-    notes_.push_back("body " + std::to_string(body.id) + ": a " + kShapeNames[body.shape] +
-                     " is logged as the box around it, for the stream has no tumble_rec_mesh() of its hash");
+    note("no mesh", "body " + std::to_string(body.id) + ": a " + kShapeNames[body.shape] +
+                        " is logged as the box around it, for the stream has no tumble_rec_mesh() of its hash");
   }
-  box.mass = body.is_static && !(body.mass > 0) ? 1 : body.mass;
+  box.mass = body.is_static && (body.mass == 0 || body.mass == INFINITY) ? 1 : body.mass;
   box.is_static = body.is_static;
   box.position = state.position;
   box.orientation = state.orientation;
@@ -165,7 +77,6 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.material.friction = body.friction;
   box.material.restitution = body.restitution;
   keep_within(box);
-  last_[body.id].orientation = box.orientation;  // for records of kind "same"
   return box;
 }
 
@@ -177,7 +88,7 @@ void StreamBodies::add(const StreamMesh& mesh) {
   if (const Status ok = check_shape(shape); ok.ok()) {
     meshes_.try_emplace(mesh.hash, mesh);
   } else {
-    notes_.push_back("mesh " + std::to_string(mesh.hash) + ": " + ok.error().message + "; it is left out");
+    note("mesh", "mesh " + std::to_string(mesh.hash) + ": " + ok.error().message + "; it is left out");
   }
 }
 
@@ -222,8 +133,8 @@ std::optional<sim::Command> StreamBodies::command(const StreamInput& input) {
   }
   if (const auto* push = std::get_if<StreamPush>(&input)) return sim::Push{push->id, axes_.length(push->impulse)};
   if (const auto* set = std::get_if<StreamSetVelocity>(&input)) {
-    const Range velocity = {"a velocity that was set", " m/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
-    const Range spin = {"an angular velocity that was set", " rad/s", -sim::kSpeedMax, sim::kSpeedMax, 0};
+    const Range velocity = {"a velocity that was set", " m/s", "set_velocity", -sim::kSpeedMax, sim::kSpeedMax, 0};
+    const Range spin = {"an angular velocity that was set", " rad/s", "set_spin", -sim::kSpeedMax, sim::kSpeedMax, 0};
     return sim::SetVelocity{set->id, within(set->id, velocity, axes_.length(set->velocity)),
                             within(set->id, spin, axes_.axial(set->spin))};
   }

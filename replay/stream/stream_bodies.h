@@ -4,9 +4,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "replay/import/table_notes.h"
+#include "replay/log/told_values.h"
 #include "replay/stream/stream_step.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/imported_table.h"
@@ -24,20 +26,21 @@ std::string name_for_log(const std::string& name, std::size_t bytes_max = kStrea
 class StreamBodies {
  public:
   explicit StreamBodies(const EngineAxes& axes) : axes_(axes) {}
+  StreamBodies(const EngineAxes& axes, const sim::Vec3& their_gravity) : axes_(axes) { (void)gravity(their_gravity); }
 
   /// Takes a surface for the bodies with its hash, before any of them. One that no log can keep is left out: notes()
   /// tells.
   void add(const StreamMesh& mesh);
 
-  /// Mends the sizes of the bodies of a step that no shape can have, before they are added: notes() tells. A negative
-  /// one is taken without its sign.
+  /// Cuts the sizes of the bodies of a step that no shape can have, before they are added. A negative one is taken
+  /// without its sign. Of this and all else that is cut, notes() tells, and told_values() holds what was told.
   void keep_sizes(StreamStep& step);
 
-  /// A gravity of the engine in m/s², cut to the limits of a log: notes() tells.
+  /// A gravity of the engine in m/s², cut to the limits of a log.
   sim::Vec3 gravity(const sim::Vec3& theirs);
 
-  /// A body that begins or appears. A shape becomes the box around it; an edge beyond the limits of a log is cut to
-  /// them, and a static body without a mass has 1 kg: notes() tells.
+  /// A body that begins or appears. A shape becomes the box around it; a value beyond the limits of a log is cut to
+  /// them. A static body of no mass or an infinite one has 1 kg, which is cutting nothing: its mass means nothing.
   sim::BoxDef add(const StreamBody& body);
 
   /// An input for a log; none for one that only the engine understands. Bodies are added and removed here too.
@@ -62,6 +65,16 @@ class StreamBodies {
     plausible_.add(id, step, dt, state, {}, axes_);
   }
 
+  /// The values that were cut since the last call, but the motions of the start, which start_states() has.
+  ToldValues take_told() { return std::exchange(told_, {}); }
+
+  /// The values of a step that will be cut, to declare their channels before the log is begun.
+  ToldValues cut(StreamStep& step);
+
+  /// The bodies of the start whose motion no scene can hold, as it was told. Ends the start: what is cut from now on
+  /// belongs to steps.
+  std::vector<std::pair<sim::BodyId, EngineState>> end_start();
+
   [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] const EngineAxes& axes() const { return axes_; }
 
@@ -71,21 +84,36 @@ class StreamBodies {
   struct Range {
     const char* what;
     const char* unit;
+    const char* name;  // of its channel, without "told."; a vector's without its component
     double low, high, for_nan;
   };
+  /// component: of a vector, behind the name; else empty.
+  void tell(std::uint64_t id, const std::string& name, double value);
   /// id 0: of the world.
-  void note_cut(std::uint64_t id, const Range& range, double value, double cut);
+  void note_cut(std::uint64_t id, const Range& range, const char* component, double value, double cut);
   /// The value, or the nearest that a log can hold, with a note.
-  double within(std::uint64_t id, const Range& range, double value);
+  double within(std::uint64_t id, const Range& range, double value, const char* component = "");
   sim::Vec3 within(std::uint64_t id, const Range& range, const sim::Vec3& value);
   /// The same for a length in the engine's unit, which the range has in metres.
-  double length_within(std::uint64_t id, const Range& range, double theirs);
+  double length_within(std::uint64_t id, const Range& range, double theirs, const char* component = "");
   void keep_within(sim::BoxDef& box);
+  void keep_motion_within(sim::BoxDef& box);
+  void keep_rotation(sim::BoxDef& box);
+  void note(const char* kind, std::string text);
 
   EngineAxes axes_;
   std::map<std::uint64_t, EngineState> last_;
   std::map<std::uint64_t, StreamMesh> meshes_;  // by hash
-  std::vector<std::string> notes_;
+  /// The first few notes of one kind, and the number of all.
+  struct Notes {
+    std::string kind;
+    std::vector<std::string> texts;
+    std::uint64_t count = 0;
+  };
+  std::vector<Notes> notes_;
+  ToldValues told_;
+  bool in_start_ = true;
+  std::vector<std::pair<sim::BodyId, EngineState>> start_states_;
   MotionCheck plausible_;
   bool found_not_finite_ = false;
 };

@@ -37,6 +37,11 @@ std::string name_of_number(const std::string& name, std::uint32_t k, std::uint32
 /// One step has at most so many inputs of one name and body; further ones join the last.
 constexpr std::size_t kInputsMax = 64;
 
+ChannelType told_type(std::string_view name) {
+  const bool of_world = name.starts_with(std::string(kToldPrefix) + "gravity");
+  return {ChannelKind::kFloat64, of_world ? ChannelScope::kWorld : ChannelScope::kBody};
+}
+
 /// A name as a channel may have it, with at most `bytes_max` bytes.
 std::string name_for_channel(const std::string& name, std::size_t bytes_max) {
   std::string kept = name_for_log(name, bytes_max);
@@ -90,6 +95,10 @@ ChannelValue read_number(StreamCursor& in, std::uint8_t type) {
 
 void StreamExtras::survey_channels(const StreamStep& step) {
   for (const StreamChannel& channel : step.channels) found_.try_emplace(channel.number, Found{channel, 1});
+}
+
+void StreamExtras::survey_told(const ToldValues& told) {
+  for (const auto& [key, value] : told) told_.insert(key.first);
 }
 
 void StreamExtras::survey(const StreamStep& step) {
@@ -178,7 +187,7 @@ Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& s
 /// A log has room for kChannelsMax channels: while there are more, those with the most numbers a value become one of
 /// bytes each.
 void StreamExtras::fit() {
-  std::size_t channels = named_inputs_.size();
+  std::size_t channels = named_inputs_.size() + told_.size();
   for (const auto& [number, found] : found_) channels += parts_of(found);
   std::size_t joined = 0;
   while (channels > kChannelsMax) {
@@ -202,9 +211,10 @@ std::vector<std::string> StreamExtras::notes() const {
   return all;
 }
 
-Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodies& bodies) {
+Result<Declared> StreamExtras::declare(const StreamStep& start, const EngineAxes& axes, const ToldValues& told) {
   Declared declared;
   std::set<std::string> taken;
+  for (std::string& name : told_names()) taken.insert(std::move(name));
   fit();
   for (const auto& [name, type] : named_inputs_) taken.insert(name);
   for (auto& [number, found] : found_) {
@@ -217,6 +227,7 @@ Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodi
     }
   }
   for (const auto& [name, type] : named_inputs_) declared.channels.push_back({name, type, {}});
+  for (const std::string& name : told_) declared.channels.push_back({name, told_type(name), {}});
   std::ranges::sort(declared.channels, {}, &Channel::name);
   for (std::size_t i = 0; i < declared.channels.size(); ++i) index_[declared.channels[i].name] = i;
 
@@ -226,13 +237,20 @@ Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodi
   for (const Row& row : *rows) {
     if (Status ok = values.set(index_.at(row.channel), row.value, row.key); !ok.ok()) return ok.error();
   }
-  if (!rows->empty()) values.move_to(declared.start);
+  for (const auto& [key, value] : told) {
+    if (Status ok = values.set(index_.at(key.first), value, {key.second, 0}); !ok.ok()) return ok.error();
+  }
+  if (!rows->empty() || !told.empty()) values.move_to(declared.start);
   declared.start.notes = start.notes;
-  declared.start.contacts = contacts_of(start, bodies.axes());
+  declared.start.contacts = contacts_of(start, axes);
   return declared;
 }
 
-Status StreamExtras::tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes) const {
+Status StreamExtras::tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes,
+                          const ToldValues& told) const {
+  for (const auto& [key, value] : told) {
+    if (Status ok = log.set_value(index_.at(key.first), value, {key.second, 0}); !ok.ok()) return ok;
+  }
   const Result<std::vector<Row>> rows = rows_of(step);
   if (!rows.ok()) return rows.error();
   for (const Row& row : *rows) {

@@ -21,15 +21,18 @@ class StreamExtras {
  public:
   /// Reads a step for what it declares. Call for every step before declare().
   void survey(const StreamStep& step);
+  /// The values that a step's inputs are cut to, whose channels the log needs.
+  void survey_told(const ToldValues& told);
   /// Of a step that a rewind took back, only what it declares.
   void survey_channels(const StreamStep& step);
 
   /// Channels, ascending by name, and the values of `start`. Errors (kBadInput): as EngineLog::create(); a value of a
   /// channel that was not declared.
-  Result<Declared> declare(const StreamStep& start, const StreamBodies& bodies);
+  /// told: the values of the start that the log's scene cut.
+  Result<Declared> declare(const StreamStep& start, const EngineAxes& axes, const ToldValues& told);
 
   /// Tells the log what the coming step has. Errors (kBadInput): as the functions of EngineLog.
-  Status tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes) const;
+  Status tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes, const ToldValues& told) const;
 
   /// For people: names that a log cannot have, and contacts that none can be.
   [[nodiscard]] std::vector<std::string> notes() const;
@@ -56,6 +59,7 @@ class StreamExtras {
 
   std::map<std::uint32_t, Found> found_;
   std::map<std::string, ChannelType> named_inputs_;  // by the channel's name
+  std::set<std::string> told_;                       // channels of told values that the log needs
   std::map<std::string, std::size_t> index_;         // in the log
   std::vector<std::string> notes_;
   ContactCheck contacts_;

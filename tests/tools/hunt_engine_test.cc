@@ -152,6 +152,31 @@ TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {
   EXPECT_GT(json.at("relations").at("overlap").at("broken"), 0U);
 }
 
+// Its session holds one body, which no drawn scene has: judges read no body that is not there, and nothing holds of it.
+TEST(HuntEngine, SessionsOfOtherBodiesAreNotJudged) {
+  const Workshop shop;
+  shop.write("other.toml", "[world]\nsteps = 400\ndt = 0.01\n[[box]]\nid = 977\nposition = [0.0, 0.0, 9.0]\n");
+  const auto hunt = [&shop](const std::string& claims) {
+    shop.write("tumble.toml", "[engine]\nshell = true\nrun = \"\"\"'" TUMBLE_PROGRAM "' record '" +
+                                  shop.path("other.toml") + "' -o {log} --quiet # {scene}\"\"\"\n[engine.claims]\n" +
+                                  claims);
+    return shop.run({"hunt", "--engine", "--seed", "1", "--count", "12", "--unshrunk", "--json", "--threads", "1"});
+  };
+  const Outcome unclaimed = hunt("slope = true\nrepeat = true\n");
+  EXPECT_EQ(unclaimed.exit, 4) << unclaimed.err;
+  EXPECT_NE(unclaimed.err.find("nothing was judged"), std::string::npos) << unclaimed.err;
+  EXPECT_NE(unclaimed.err.find("has other bodies than the scene"), std::string::npos) << unclaimed.err;
+  const Outcome claimed = hunt("start = true\nfinishes = true\n");
+  EXPECT_EQ(claimed.exit, 1) << claimed.err;
+  const Json json = Json::parse(claimed.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << claimed.out;
+  for (const auto& [name, tally] : json.at("relations").items()) {
+    EXPECT_EQ(tally.at("held"), 0U) << name;
+    EXPECT_EQ(tally.at("broken"), name == "start" || name == "finishes" ? 12U : 0U) << name;
+  }
+  for (const Json& finding : json.at("findings")) EXPECT_NE(finding.at("relation"), "survives") << finding;
+}
+
 // Nothing is known of an engine that does not run: it refuses no scene and breaks no claim.
 TEST(HuntEngine, ThatDoesNotStartIsNeitherRefusalNorHeld) {
   const Workshop shop;

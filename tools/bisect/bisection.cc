@@ -49,7 +49,8 @@ class Bisection {
     if (!in_line.ok()) return in_line.error();
     if (*in_line) return {};
     return bad_input("--good " + settings_.good + " is no ancestor of --bad " + settings_.bad +
-                     "; take their merge base as the good one ('git merge-base'), or exchange them");
+                     "; take their merge base as the good one ('git merge-base'), or exchange them" +
+                     git_.shallow_advice());
   }
 
   [[nodiscard]] static Status could_ask(const Tested& tested, const char* end) {
@@ -98,7 +99,8 @@ class Bisection {
     }
     return bad_input("--auto: found no revision with another answer (" + settings_.question() + ") from " +
                      from.substr(0, 10) + " back to the first one, " + line.back().substr(0, 10) + "; " +
-                     std::to_string(line.size()) + " were asked: " + finding_.tested.front().answer.message);
+                     std::to_string(line.size()) + " were asked: " + finding_.tested.front().answer.message +
+                     git_.shallow_advice());
   }
 
   Result<Plan> next() { return plan_of(good_, bad_); }

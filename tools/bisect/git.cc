@@ -46,7 +46,14 @@ Result<std::string> Git::resolve(const std::string& revision) const {
       run(repository_, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
   if (commit.ok()) return commit;
   if (commit.error().message != kNo) return bad_input(commit.error().message);
-  return bad_input("found no revision " + in_quotes(revision) + " in " + repository_);
+  return bad_input("found no revision " + in_quotes(revision) + " in " + repository_ + shallow_advice());
+}
+
+std::string Git::shallow_advice() const {
+  const Result<std::string> answer = run(repository_, {"rev-parse", "--is-shallow-repository"});
+  if (!answer.ok() || *answer != "true") return "";
+  return "; this clone is shallow and lacks the older commits: fetch them ('git fetch --unshallow', in a GitHub "
+         "workflow 'fetch-depth: 0' of actions/checkout)";
 }
 
 Result<std::string> Git::common_folder() const {

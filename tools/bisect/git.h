@@ -49,6 +49,10 @@ class Git {
   /// all other files that are not the commit's are removed.
   [[nodiscard]] Status put(const std::string& folder, const std::string& commit, bool from_scratch) const;
 
+  /// For messages where a commit is missing: that the clone is shallow, and how to fetch the rest; empty for a whole
+  /// one.
+  [[nodiscard]] std::string shallow_advice() const;
+
  private:
   [[nodiscard]] Result<std::string> run(const std::string& folder, std::vector<std::string> words) const;
 

@@ -155,7 +155,7 @@ Result<Exit> export_command(const ExportCommand& options) {
   guard.keep(options.log, "the log that is exported");
   if (Status ok = claim_output(guard, "-o", options.output, files::kind_by_name(options.output)); !ok.ok())
     return ok.error();
-  Result<replay::LogReader> log = open_log(options.log);
+  Result<replay::LogReader> log = open_values(options.log);
   if (!log.ok()) return log.error();
   const Result<replay::ExportChoice> choice = choice_of(options, *log);
   if (!choice.ok()) return choice.error();

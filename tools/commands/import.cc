@@ -1,9 +1,12 @@
 // tumble import: makes a log of a table of another engine's states.
+#include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "replay/arrays/array_table.h"
@@ -43,7 +46,9 @@ Result<std::string> read_table(const std::string& path) {
   std::ifstream opened;
   if (path != "-") opened.open(path, std::ios::binary);
   std::istream& file = path == "-" ? std::cin : opened;
-  if (!file) return bad_input(path + ": cannot be opened; name a table of comma-separated values");
+  if (!file) return bad_input(path + ": cannot be opened: " + std::generic_category().message(errno));
+  std::error_code ignored;
+  if (path != "-" && std::filesystem::is_directory(path, ignored)) return bad_input(path + ": is a folder, not a file");
   std::string text;
   bool is_archive = false;
   std::string block(1 << 20, '\0');
@@ -58,7 +63,7 @@ Result<std::string> read_table(const std::string& path) {
     if (text.size() > kTableBytesMax)
       return bad_input(path + ": found more than 4 GiB, wanted a smaller table; cut it");
   }
-  if (text.empty()) return bad_input(path + ": is empty or no file; name a table of comma-separated values");
+  if (text.empty()) return bad_input(path + ": is empty; name a recorder's stream, a table or an archive of arrays");
   return text;
 }
 
@@ -198,7 +203,7 @@ Result<Exit> import_command(const ImportCommand& options) {
   how.map = *std::move(map);
   how.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
   if (!options.like.empty()) {
-    Result<replay::LogReader> log = open_log(options.like);
+    Result<replay::LogReader> log = open_values(options.like);
     if (!log.ok()) return log.error();
     Result<replay::SessionLike> like = replay::session_like(*log);
     if (!like.ok()) return like.error();
@@ -210,8 +215,12 @@ Result<Exit> import_command(const ImportCommand& options) {
   guard.keep(options.model, "the model");
   guard.keep(options.like, "the log of --like");
   if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
+  const bool was_there = is_there(output);
   const Result<replay::LogSummary> summary = import_to(options, output, *text, how);
-  if (!summary.ok()) return summary.error();
+  if (!summary.ok()) {
+    remove_empty_log(output, was_there);
+    return summary.error();
+  }
   const Result<replay::LogReader> log = replay::LogReader::open(output);
   if (!log.ok()) return log.error();
   if (!options.quiet) {

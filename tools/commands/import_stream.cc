@@ -97,12 +97,16 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
   if (!source.ok()) return source.error();
   Result<StreamReader> stream = StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error();
+  const bool was_there = is_there(files.output);
   ProgressBar bar("importing", !files.quiet);
   const process::InterruptGuard guard;
   Result<replay::StreamImport> done = replay::import_stream(
       *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
   bar.finish();
-  if (!done.ok()) return done.error();
+  if (!done.ok()) {
+    remove_empty_log(files.output, was_there);
+    return done.error();
+  }
   advise_about_tail(files, *stream, *done);
   if (!files.quiet) {
     for (const std::string& warning : done->warnings)

@@ -100,6 +100,7 @@ void print_text(const LogReader& log, const LogFacts& facts, const LogCondition&
   const std::string per_step = each ? ", " + rounded(*each, "bytes per moving body-step") : "";
   listing.add("size", bytes_text(log.file_bytes()) + per_step);
   listing.add("final hash", facts.final_hash ? to_string(*facts.final_hash) : "none");
+  if (!facts.told.empty()) listing.add("cut", printable(facts.told));
   const std::string& cut_short = log.header().declared.cut_short;
   listing.add("condition", !condition.whole()  ? condition.summary(log.last_step())
                            : cut_short.empty() ? "whole, every hash as written"
@@ -163,6 +164,7 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
   const std::optional<double> each = facts.bytes_per_moving_body_step(log.file_bytes());
   json["bytes_per_moving_body_step"] = each ? Json(*each) : Json(nullptr);
   json["whole"] = condition.whole();
+  json["cut_values"] = facts.told;
   json["cut_short"] = log.header().declared.cut_short;
   json["torn"] = condition.torn;
   json["torn_at_byte"] = condition.torn ? Json(condition.torn_offset) : Json(nullptr);

@@ -72,6 +72,7 @@ void warn_of_lost_bodies(const MeasureCommand& options, const replay::EngineAxes
 std::vector<std::string> notes_of(const replay::LogReader& log, const replay::Metrics& metrics) {
   std::vector<std::string> notes;
   if (std::string note = replay::not_whole(log); !note.empty()) notes.push_back(std::move(note));
+  if (!metrics.told.empty()) notes.push_back(metrics.told);
   if (metrics.steps < log.last_step()) {
     notes.push_back("measured up to step " + std::to_string(metrics.steps) + " of " + std::to_string(log.last_step()) +
                     ": the steps behind the lost ones are not measured");
@@ -149,7 +150,7 @@ Status compare_other(const MeasureCommand& options, const std::vector<replay::Me
     return beyond.empty() ? Status() : bad_input("--require: parting_time needs the other session: --against LOG");
   }
   if (beyond.empty()) beyond.assign(replay::kSeparationMarks.begin(), replay::kSeparationMarks.end());
-  Result<replay::LogReader> other = open_log(options.against);
+  Result<replay::LogReader> other = open_values(options.against);
   if (!other.ok()) return other.error();
   const process::InterruptGuard guard;
   ProgressBar bar("comparing");
@@ -163,14 +164,14 @@ Result<Exit> measure(const MeasureCommand& options) {
   const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
   if (!bounds.ok()) return bounds.error();
   if (Status ok = check_outputs(options); !ok.ok()) return ok.error();
-  Result<replay::LogReader> log = open_log(options.log);
+  Result<replay::LogReader> log = open_values(options.log);
   if (!log.ok()) return log.error();
   const replay::EngineAxes axes = log->header().axes();
   const Result<replay::MeasureOptions> how = parse_measure(options.over, axes, log->bodies());
   if (!how.ok()) return how.error();
   std::optional<replay::LogReader> pair;
   if (!options.pair.empty()) {
-    Result<replay::LogReader> opened = open_log(options.pair);
+    Result<replay::LogReader> opened = open_values(options.pair);
     if (!opened.ok()) return opened.error();
     pair.emplace(*std::move(opened));
   }

@@ -193,11 +193,11 @@ void print_json_summary(const std::string& log, const RenderPlan& plan, const Su
 }
 
 Result<Exit> render_command(const RenderArguments& arguments) {
-  Result<replay::LogReader> log = open_log(arguments.log);
+  Result<replay::LogReader> log = open_values(arguments.log);
   if (!log.ok()) return log.error();
   std::optional<replay::LogReader> other;
   if (!arguments.compare.empty()) {
-    Result<replay::LogReader> opened = open_log(arguments.compare);
+    Result<replay::LogReader> opened = open_values(arguments.compare);
     if (!opened.ok()) return opened.error();
     other.emplace(*std::move(opened));
   }

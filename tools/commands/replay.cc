@@ -49,6 +49,11 @@ replay::DifferenceReport look_closer(replay::LogReader& log, const replay::Diver
 void print_text(const replay::ReplayReport& report, const replay::LogReader& log,
                 const std::optional<replay::DifferenceReport>& difference) {
   for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
+  if (report.identical() && report.steps == 0) {
+    std::cout << "nothing was replayed: the log has no step; the world made of its scene is as recorded\n";
+    print_scope(report.scope);
+    return;
+  }
   if (report.identical()) {
     std::cout << "identical: " << count_text(report.steps, "step") << " of " << printable(log.header().scene.name)
               << " replayed, " << report.scope.every_bit() << " as recorded\nfinal hash  "

@@ -158,6 +158,7 @@ Result<Exit> view(const ViewCommand& options) {
     // Served, a log may be so young that it has no chunk yet.
     Result<replay::LogReader> log = options.output.empty() ? replay::LogReader::open(path) : open_log(path);
     if (!log.ok()) return log.error();
+    if (Status ok = wants_values(*log); !ok.ok()) return ok.error();
     logs.push_back(*std::move(log));
   }
   const Result<Bounds> bounds = parse_bounds(options, logs.front());

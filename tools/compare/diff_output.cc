@@ -29,6 +29,10 @@ constexpr std::size_t kHeadersShown = 20;
 
 /// The first word of the verdict, and what was read for it.
 std::string same_text(const DiffQuestion& question, const replay::DiffReport& report, const std::string& steps) {
+  if (report.steps == 0 && !question.brief) {
+    return std::string(question.exact_bits ? "identical" : "same within tolerances") + " at state " +
+           std::to_string(report.from) + " alone: there is no step to compare";
+  }
   const std::uint64_t zeros = report.zeros;
   const std::string words = question.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
   if (question.brief) return words + ", by hashes; payloads not read";

@@ -7,6 +7,7 @@
 #include <span>
 #include <system_error>
 
+#include "replay/log/hashes_only.h"
 #include "src/base/text.h"
 #include "tumble/replay/prelude.h"
 
@@ -18,6 +19,32 @@ Result<replay::LogReader> open_log(const std::string& path) {
     return damaged(path + ": not one complete chunk to read; " + log->condition().summary(0));
   }
   return log;
+}
+
+Status wants_values(const replay::LogReader& log) {
+  if (!replay::holds_hashes_only(log.header())) return {};
+  return bad_input(log.name() +
+                   ": holds hashes only, wanted values: it has no body to measure, draw or write; record without "
+                   "hashes_only, or compare it by tumble diff");
+}
+
+Result<replay::LogReader> open_values(const std::string& path) {
+  Result<replay::LogReader> log = open_log(path);
+  if (!log.ok()) return log;
+  if (Status ok = wants_values(*log); !ok.ok()) return ok.error();
+  return log;
+}
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+void remove_empty_log(const std::string& path, bool was_there) {
+  std::error_code ignored;
+  const bool is_empty =
+      std::filesystem::is_regular_file(path, ignored) && std::filesystem::file_size(path, ignored) == 0;
+  if (is_empty && !was_there) std::filesystem::remove(path, ignored);
 }
 
 Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path,

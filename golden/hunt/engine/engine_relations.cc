@@ -9,6 +9,8 @@ namespace {
 
 // Two sessions of the engine, the second of the scene under a transform.
 Judgement compare(const Trace& one, const Trace& other, const sim::Transform& transform, const sim::IdMap& ids) {
+  if (!one.failure.empty()) return not_applicable("the first session: " + one.failure);
+  if (other.other_bodies) return broken(*other.other_bodies, 0, "the other session: " + other.failure);
   const std::size_t states = std::min(one.states.size(), other.states.size());
   for (std::size_t k = 0; k < states; ++k) {
     const auto difference =

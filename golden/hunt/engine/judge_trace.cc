@@ -33,7 +33,11 @@ Judgement beside_lost(const std::string& law, const Trace& trace, const Judgemen
 }  // namespace
 
 Judgement judge_trace(const std::string& name, const Trace& trace) {
-  if (!trace.failure.empty() && name != "finishes") return not_applicable("the session ends early");
+  if (name == "start" && trace.other_bodies == std::uint64_t{0}) return broken(0, 0, trace.failure);
+  if (!trace.failure.empty() && name != "finishes") {
+    return not_applicable(trace.other_bodies ? "the session has other bodies than the scene"
+                                             : "the session ends early");
+  }
   const Relation* known = find_relation(name);
   SIM_CHECK(known != nullptr, std::string_view(name));
   if (trace.external && !known->is_law) return judge_engine(name, trace);

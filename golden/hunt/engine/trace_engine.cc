@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <utility>
@@ -79,6 +80,29 @@ void take_columns(sim::WorldState& state, std::uint64_t step, const replay::Body
   }
 }
 
+std::string listed(const std::vector<sim::BodyId>& ids) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 4); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+  return text + (ids.size() > 4 ? " and " + std::to_string(ids.size() - 4) + " more" : "");
+}
+
+// How the bodies of a state of the log differ from those that the scene and the inputs leave there; empty: not at all.
+// A static body more is the engine's ground or wall.
+std::string other_bodies(const Bodies& wanted, const replay::BodyStates& found, const replay::LogHeader& header) {
+  std::vector<sim::BodyId> missing, more;
+  std::ranges::set_difference(wanted.id, found.id, std::back_inserter(missing));
+  std::ranges::set_difference(found.id, wanted.id, std::back_inserter(more));
+  std::erase_if(more, [&header](sim::BodyId id) {
+    const auto box = std::ranges::lower_bound(header.scene.boxes, id, {}, &sim::BoxDef::id);
+    return box != header.scene.boxes.end() && box->id == id && box->is_static;
+  });
+  std::string text;
+  if (!missing.empty()) text = "it lacks body " + listed(missing);
+  if (!more.empty()) text += (text.empty() ? "it has body " : " and has body ") + listed(more) + " too";
+  return text;
+}
+
 // The states of the log, with what the scene says of the bodies.
 Trace read_session(replay::LogReader& log, Trace trace, sim::WorldState state) {
   if (log.header().engine) {  // not Tumble's own
@@ -94,16 +118,19 @@ Trace read_session(replay::LogReader& log, Trace trace, sim::WorldState state) {
       trace.failure = record.ok() ? "its log lacks states" : "its log: " + record.error().message;
       break;
     }
-    if (k > 0) {
-      TracedStep step;
-      step.dt = (*record)->dt;
+    TracedStep step;
+    step.dt = (*record)->dt;
+    if (k > 0 && !(*record)->inputs.empty()) {
       step.inputs = (*record)->inputs;
-      if (!step.inputs.empty()) {
-        state = with_inputs(state, step.inputs);
-        step.begun = state;
-      }
-      trace.steps.push_back(std::move(step));
+      state = with_inputs(state, step.inputs);
+      step.begun = state;
     }
+    if (const std::string other = other_bodies(state.bodies, (*record)->states, log.header()); !other.empty()) {
+      trace.other_bodies = k;
+      trace.failure = "state " + std::to_string(k) + " of its session has other bodies than the scene: " + other;
+      break;
+    }
+    if (k > 0) trace.steps.push_back(std::move(step));
     take_columns(state, k, (*record)->states);
     trace.states.push_back(state);
     if (k > 0) trace.steps.back().met = may_have_met(trace, k - 1);

@@ -38,6 +38,7 @@ void Worst::add(std::uint64_t step, sim::BodyId body, double value, double bound
 
 Judgement judge_finishes(const Trace& trace) {
   if (trace.failure.empty()) return held();
+  if (trace.other_bodies) return broken(*trace.other_bodies, 0, trace.failure);
   return broken(trace.states.size(), 0, "the session ends early: " + trace.failure);
 }
 

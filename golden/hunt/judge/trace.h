@@ -58,6 +58,9 @@ struct Trace {
   bool external = false;  ///< another engine's, of which states and inputs are known, and no hashes and no contacts;
                           ///< `met` are then the pairs that may have met
   std::shared_ptr<const EngineFiles> ran;  ///< what an engine left of its run; null: this program's session
+  /// The state from which an engine's session has other bodies than its scene, as `failure` says. The trace ends
+  /// before.
+  std::optional<std::uint64_t> other_bodies = std::nullopt;
   double rounding = 0;  ///< of a number, relative, that laws allow besides their own bounds: of engines with floats
 
   [[nodiscard]] const sim::WorldState& after(std::size_t step) const { return states[step + 1]; }
