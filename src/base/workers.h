@@ -63,6 +63,13 @@ template <class Number>
 bool exchange(Number& number, Number before, Number after) {
   return std::atomic_ref(number).compare_exchange_strong(before, after, std::memory_order_relaxed);
 }
+/// Lowers a minimum that others lower at the same time.
+template <class Number>
+void lower(Number& least, Number x) {
+  for (Number now = read(least); x < now; now = read(least)) {
+    if (exchange(least, now, x)) return;
+  }
+}
 
 }  // namespace shared
 

@@ -73,6 +73,7 @@ class Applier {
     if (Status ok = check_vector("set_velocity", "velocity", input.velocity, kSpeedMax); !ok.ok()) return ok;
     if (Status ok = check_vector("set_velocity", "spin", input.spin, kSpeedMax); !ok.ok()) return ok;
     wake_body(state_, *i);
+    restart_rest(state_, *i);
     bodies_.velocity.set(*i, VelocityGrid::round(input.velocity));
     bodies_.spin.set(*i, VelocityGrid::round(input.spin));
     return {};
@@ -113,9 +114,13 @@ class Applier {
     const Vec3 old_velocity = bodies_.velocity[i], old_spin = bodies_.spin[i];
     bodies_.velocity.set(i, plus_zero(velocity));
     bodies_.spin.set(i, plus_zero(spin));
-    if (bodies_.frozen[i] == 0) return {};
+    if (bodies_.frozen[i] == 0) {
+      restart_rest(state_, i);
+      return {};
+    }
     if (kinetic_energy(bodies_, i) / bodies_.mass[i] > kEscapeFactor * state_.def.freeze_energy) {
       wake_body(state_, i);
+      restart_rest(state_, i);
     } else {
       bodies_.velocity.set(i, old_velocity);
       bodies_.spin.set(i, old_spin);

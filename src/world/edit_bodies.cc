@@ -135,6 +135,7 @@ void erase_body(WorldState& state, BodyIndex i) {
   for (std::size_t k = 0; k < state.contact_objects.size(); ++k) {
     if (state.contact_objects.object[k] == i) resting.push_back(state.contact_objects.body[k]);
   }
+  restart_rest(state, i);
   for (const BodyIndex body : resting) wake_body(state, body);
   filter_pairs(state.pairs, [&](BodyIndex a, BodyIndex b) { return a != i && b != i; });
   filter_objects(state.contact_objects, [&](BodyIndex body, BodyIndex) { return body != i; });
@@ -158,10 +159,27 @@ void erase_body(WorldState& state, BodyIndex i) {
 
 void wake_body(WorldState& state, BodyIndex i) {
   SIM_CHECK(i < state.bodies.size(), i, state.bodies.size());
+  state.bodies.low_energy_time[i] = 0;
   if (state.bodies.frozen[i] == 0) return;
   state.bodies.frozen[i] = 0;
-  state.bodies.low_energy_time[i] = 0;
   filter_objects(state.contact_objects, [&](BodyIndex body, BodyIndex) { return body != i; });
+}
+
+void restart_rest(WorldState& state, BodyIndex i) {
+  SIM_CHECK(i < state.bodies.size(), i, state.bodies.size());
+  // A frozen body's timer is zero.
+  const auto restart = [&](BodyIndex body) {
+    if (body != kGround) state.bodies.low_energy_time[body] = 0;
+  };
+  const auto restart_partners = [&](const std::vector<BodyIndex>& a, const std::vector<BodyIndex>& b) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      if (a[k] == i) restart(b[k]);
+      if (b[k] == i) restart(a[k]);
+    }
+  };
+  restart(i);
+  restart_partners(state.contact_memory.a, state.contact_memory.b);
+  restart_partners(state.pairs.a, state.pairs.b);
 }
 
 }  // namespace tumble::sim

@@ -18,7 +18,11 @@ void insert_body(WorldState& state, const BoxDef& box);
 /// Removes row i with its pairs and contacts; wakes the bodies that rested on it (thesis) or touched it (layered).
 void erase_body(WorldState& state, BodyIndex i);
 
-/// Wakes a frozen body, at rest, and forgets its contact objects. Changes no other body and no body that is awake.
+/// Wakes a frozen body, at rest, and forgets its contact objects. A body that is awake starts its time of rest anew: an
+/// input has changed what it rests under. Changes no other body.
 void wake_body(WorldState& state, BodyIndex i);
+
+/// Starts the time of rest anew of body i and of the bodies that touch it or are near it, awake ones alone.
+void restart_rest(WorldState& state, BodyIndex i);
 
 }  // namespace tumble::sim

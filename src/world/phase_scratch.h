@@ -167,6 +167,7 @@ struct VisitScratch {
 /// Memory of update_sleeping.
 struct SleepScratch {
   std::vector<std::uint8_t> touching;  ///< bodies that touch anything
+  std::vector<double> least;           ///< s, the least time of rest of a body and of those that it touches
   std::vector<std::uint8_t> restless;  ///< by the body that stands for an island
   std::vector<std::uint8_t> held;      ///< likewise: the island touches what does not move
 };

@@ -25,12 +25,20 @@ void for_touching(const Scratch& scratch, Visit visit) {
   });
 }
 
-void mark_touching(const Bodies& bodies, Scratch& scratch) {
-  std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
-  touching.assign(bodies.size(), 0);
+// What touches, and the least time of rest of each body and of those that it touches. So a body that does not rest
+// starts the times of all around it anew, one contact further with each step: what falls off a plank leaves no plank
+// behind that has rested for long.
+void look_around(const Bodies& bodies, Scratch& scratch) {
+  SleepScratch& sleeping = scratch.sleeping;
+  sleeping.touching.assign(bodies.size(), 0);
+  sleeping.least = bodies.low_energy_time;
   for_touching(scratch, [&](const Manifold& m) {
-    mark(touching[m.b]);
-    if (m.a != kGround) mark(touching[m.a]);
+    mark(sleeping.touching[m.b]);
+    if (m.a == kGround) return;
+    mark(sleeping.touching[m.a]);
+    if (!bodies.moves(m.a) || !bodies.moves(m.b)) return;
+    shared::lower(sleeping.least[m.a], bodies.low_energy_time[m.b]);
+    shared::lower(sleeping.least[m.b], bodies.low_energy_time[m.a]);
   });
 }
 
@@ -45,7 +53,7 @@ bool advance_timers(WorldState& state, Scratch& scratch, double dt_s) {
       const bool low = scratch.sleeping.touching[i] != 0 &&
                        kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy &&
                        parting(scratch, i) < def.freeze_energy;
-      bodies.low_energy_time[i] = low ? bodies.low_energy_time[i] + dt_s : 0;
+      bodies.low_energy_time[i] = low ? scratch.sleeping.least[i] + dt_s : 0;
       if (bodies.low_energy_time[i] >= def.freeze_time) mark(any);
     }
   });
@@ -101,7 +109,7 @@ void freeze_islands(WorldState& state, Scratch& scratch) {
 }  // namespace
 
 Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s) {
-  mark_touching(state.bodies, scratch);
+  look_around(state.bodies, scratch);
   const bool slow_for_long = advance_timers(state, scratch, dt_s);
   // Without gravity nothing holds a body: it drifts on.
   if (slow_for_long && state.def.freezing && state.def.gravity != Vec3::Zero()) freeze_islands(state, scratch);

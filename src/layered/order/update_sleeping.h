@@ -8,7 +8,8 @@
 namespace tumble::sim {
 
 /// Puts an island to sleep when every body in it has stayed below freeze_energy per kilogram for freeze_time while
-/// touching something.
+/// touching something, and gravity holds it on something that does not move. A body that does not rest starts the time
+/// of rest of those that touch it anew, and theirs of those that touch them, a contact further with each step.
 /// Reads:  velocity, spin; manifolds
 /// Writes: low_energy_time, frozen; velocity and spin of bodies that fall asleep (0)
 /// Source: thesis III.D, applied to islands: a stack falls asleep as a whole, so no awake part can sag under a sleeping
