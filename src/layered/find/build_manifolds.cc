@@ -10,6 +10,7 @@
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
 #include "src/layered/find/manifold_points.h"
+#include "src/layered/find/pushing_axes.h"
 #include "src/layered/find/pair_tests.h"
 #include "src/world/manifold_hashes.h"
 
@@ -28,6 +29,7 @@ class Builder {
         out_(out),
         dt_(dt_s),
         fall_(falling_reach(state.def, dt_s)),
+        sag_(falling_reach(state.def, state.def.dt / state.def.substeps)),
         paths_(state, scratch, dt_s),
         recall_(memory, first) {
     out_.manifolds.clear();
@@ -87,21 +89,47 @@ class Builder {
     return true;
   }
 
-  // pair_ is the result of the box test. Returns whether the pair has a manifold.
+  // pair_ is the result of the box test. Returns whether the pair needs nothing else: it has a manifold, or does not
+  // meet.
   bool pair(BodyIndex lo, BodyIndex hi) {
     smallest_ = smallest_half_extent(scratch_.frames[lo], scratch_.frames[hi]);
     approach_ = bodies_.velocity[hi] - bodies_.velocity[lo];
     turn_ = turning(lo) + turning(hi);
     const std::size_t before = out_.manifolds.size();
+    const double slop = std::min(kSlop, kSlopOfHalfExtent * smallest_);
+    slop_ = std::min(slop + sag_, slack_of(smallest_));
+    const bool passing = in_reach() && leave_pushing(lo, hi);
     add_preferred(lo, hi);
-    return out_.manifolds.size() > before;
+    return passing || out_.manifolds.size() > before;
+  }
+
+  // The largest separation of the pair, m.
+  double apart() const {
+    const double face = larger_separation(pair_->face_a, pair_->face_b);
+    return pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
+  }
+
+  // Whether points of the pair may be kept, though it is not deep in one another.
+  bool in_reach() const {
+    const double closes = length(approach_) * (dt_ - pair_->later) + turn_;
+    return apart() >= -slop_ && apart() - closes <= slack_of(smallest_) + fall_;
+  }
+
+  // Leaves of the axes those that may push. Returns whether the pair passes.
+  bool leave_pushing(BodyIndex lo, BodyIndex hi) {
+    const BoxPair boxes(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
+    const Vec3 way = approach_ * (dt_ - pair_->later);
+    const PushingAxes pushing = pushing_axes(boxes, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, slop_);
+    if (pushing.all) return false;
+    const auto best = [&](AxisSet of) { return boxes.best(static_cast<AxisSet>(pushing.axes & of)); };
+    tested_ = {best(kFacesOfA), best(kFacesOfB), best(kEdges), pair_->offset, pair_->later};
+    pair_ = &tested_;
+    return pushing.passing;
   }
 
   // A pair that meets although no point closes or lies in both boxes, as it faces now, gets its contacts when it meets.
   void list_if_meeting(BodyIndex lo, BodyIndex hi) {
-    const double face = larger_separation(pair_->face_a, pair_->face_b);
-    const double apart = pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
-    if (pair_->later == 0 && apart > length(approach_) * dt_ + turn_) return;
+    if (pair_->later == 0 && apart() > length(approach_) * dt_ + turn_) return;
     if (paths_.follow(lo, hi, 0).kind == Approach::Kind::kMeeting) out_.fast_pairs.emplace_back(lo, hi);
   }
 
@@ -132,7 +160,8 @@ class Builder {
     const double face = larger_separation(face_lo, face_hi);
     const int order = canonical(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
     const bool lo_first = order >= 0, hi_first = order <= 0;
-    if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest_) return add_edges(lo, hi, edge);
+    const bool no_face = face_lo.axes == 0 && face_hi.axes == 0;
+    if (edge.axes != 0 && (no_face || edge.separation > face + kEdgePreference * smallest_)) return add_edges(lo, hi, edge);
     const double prefer = kFacePreference * smallest_;
     const bool on_lo = face_lo.axes != 0 && (lo_first ? face_lo.separation >= face - prefer
                                                       : face_lo.separation > face_hi.separation + prefer);
@@ -275,8 +304,9 @@ class Builder {
   ManifoldList& out_;
   double dt_;
   double fall_;  // m, way that gravity may add within the step
+  double sag_;   // m, within a substep
   FreePaths paths_;
-  double smallest_ = 0, turn_ = 0;  // m, of the pair at hand: smallest half extent, way of corners by turning
+  double smallest_ = 0, slop_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
   Vec3 approach_ = Vec3::Zero();    // m/s, of the higher row against the lower
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "src/collide/box_pair.h"
+
+namespace tumble::sim {
+
+/// How two boxes move from the places of a BoxPair on.
+struct PairMotion {
+  Vec3 way;             ///< m, of b against a
+  Vec3 turn_a, turn_b;  ///< rad: spin times time
+};
+
+/// The axes along which a pair may push within a motion.
+struct PushingAxes {
+  bool all = true;      ///< the motion decides nothing: the largest separation tells
+  bool passing = true;  ///< else: an axis stays open, so nothing pushes that does not touch now
+  AxisSet axes = 0;     ///< else: these push alone
+};
+
+/// An axis is open while the boxes are apart along it or overlap by `slop` (m) at most: boxes with an open axis do not
+/// press one another along others. Where only one direction is open, or directions within 60°, the motion decides
+/// nothing. Where more are:
+///   - of those that stay open during the motion, one alone may push: a box that slides over the seam of two tiles is
+///     carried by their tops and not stopped by the side of the second. Two that stay open leave only an edge to touch,
+///     and the pair passes;
+///   - if all close, those that close last are where the boxes meet.
+/// Turns are bounded to the second order of their angle.
+PushingAxes pushing_axes(const BoxPair& boxes, const PairMotion& motion, double slop);
+
+}  // namespace tumble::sim
