@@ -51,8 +51,8 @@ class Builder {
         const BodyIndex j = pairs.b[k];
         if (!bodies_.moves(i) && !bodies_.moves(j)) {
           recall_.keep(i, j, out_);
-        } else if (pair_ = tests.next(); pair_ != nullptr && !listed_as_fast(i, j) && !pair(i, j)) {
-          list_if_meeting(i, j);
+        } else if (pair_ = tests.next(); pair_ != nullptr && !listed_as_fast(i, j)) {
+          step_pair(i, j);
         }
       }
       if (!state_.def.ground || bodies_.is_static[i] != 0) continue;
@@ -125,6 +125,15 @@ class Builder {
     tested_ = {best(kFacesOfA), best(kFacesOfB), best(kEdges), pair_->offset, pair_->later};
     pair_ = &tested_;
     return pushing.passing;
+  }
+
+  void step_pair(BodyIndex lo, BodyIndex hi) {
+    const std::size_t manifolds = out_.manifolds.size(), points = out_.points.size();
+    if (!pair(lo, hi)) return list_if_meeting(lo, hi);
+    if (out_.manifolds.size() == manifolds || !passes(scratch_, paths_, lo, hi)) return;
+    out_.manifolds.resize(manifolds);
+    out_.points.resize(points);
+    out_.fast_pairs.emplace_back(lo, hi);
   }
 
   // A pair that meets although no point closes or lies in both boxes, as it faces now, gets its contacts when it meets.

@@ -55,6 +55,10 @@ bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex 
   const double bend = bend_of(paths, lo, hi);
   if (bend <= kSlop) return false;
   if (bend > slack(scratch, lo, hi) || !holds_one(scratch, lo, hi)) return true;
+  return passes(scratch, paths, lo, hi);
+}
+
+bool passes(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   return !holds_both(scratch, lo, hi) && paths.follow(lo, hi, 0).kind == Approach::Kind::kPassing;
 }
 
@@ -77,7 +81,7 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
   out.resize(pairs.size());
   // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
   const auto keep_near = [&](BodyIndex lo, BodyIndex hi, Approach& approach) {
-    if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi))
+    if (approach.kind == Approach::Kind::kPassing && holds_both(scratch, lo, hi) && !bends(scratch, paths, lo, hi))
       approach.kind = Approach::Kind::kNear;
   };
   const auto find = [&](std::size_t begin, std::size_t end) {

@@ -13,6 +13,10 @@ namespace tumble::sim {
 /// the slop on too. hi may be kGround.
 bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
 
+/// Whether a pair of which a body is free passes in the step, as both fly now: its contacts, if it meets after all, are
+/// found in the substeps.
+bool passes(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
+
 /// Whether a pair that no contact holds may meet fast enough to bounce. hi may be kGround.
 bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s);
 
