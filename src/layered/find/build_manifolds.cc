@@ -30,7 +30,9 @@ class Builder {
         dt_(dt_s),
         fall_(falling_reach(state.def, dt_s)),
         sag_(falling_reach(state.def, state.def.dt / state.def.substeps)),
+        pushing_s_(dt_s + state.def.dt / state.def.substeps),
         paths_(state, scratch, dt_s),
+        ahead_(state, scratch, pushing_s_),
         recall_(memory, first) {
     out_.manifolds.clear();
     out_.points.clear();
@@ -76,7 +78,11 @@ class Builder {
         continue;
       }
       pair_ = &tests.next();
+      const std::size_t manifolds = out_.manifolds.size(), points = out_.points.size();
+      pushes_ = false;
       if (!pair(i, j) && approaches[k].kind == Approach::Kind::kMeeting) add_last(i, j);
+      if (pushes_ && approaches[k].kind == Approach::Kind::kNear && passes(scratch_, ahead_, i, j))
+        leave(manifolds, points);
     }
   }
 
@@ -129,11 +135,15 @@ class Builder {
 
   void step_pair(BodyIndex lo, BodyIndex hi) {
     const std::size_t manifolds = out_.manifolds.size(), points = out_.points.size();
+    pushes_ = false;
     if (!pair(lo, hi)) return list_if_meeting(lo, hi);
-    if (out_.manifolds.size() == manifolds || !passes(scratch_, paths_, lo, hi)) return;
+    if (!pushes_ || !passes(scratch_, ahead_, lo, hi)) return;
+    leave(manifolds, points);
+    out_.fast_pairs.emplace_back(lo, hi);
+  }
+  void leave(std::size_t manifolds, std::size_t points) {
     out_.manifolds.resize(manifolds);
     out_.points.resize(points);
-    out_.fast_pairs.emplace_back(lo, hi);
   }
 
   // A pair that meets although no point closes or lies in both boxes, as it faces now, gets its contacts when it meets.
@@ -298,6 +308,7 @@ class Builder {
     for (std::size_t k = m.first; k < points.size(); ++k) {
       const double speed = un + (w1 * points[k].q - w2 * points[k].p);
       if (points[k].separation + std::min(0.0, speed) * dt_ > reach) continue;
+      pushes_ |= points[k].separation + speed * pushing_s_ <= 0;
       if (kept != k) points[kept] = points[k];  // a copy onto itself would stall
       ++kept;
     }
@@ -314,7 +325,9 @@ class Builder {
   double dt_;
   double fall_;  // m, way that gravity may add within the step
   double sag_;   // m, within a substep
-  FreePaths paths_;
+  bool pushes_ = false;  // whether a point of the pair at hand does
+  double pushing_s_;  // s, within which points are pushed that would close: a sweep looks a substep ahead
+  FreePaths paths_, ahead_;  // over the step; and over pushing_s_
   double smallest_ = 0, slop_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
   Vec3 approach_ = Vec3::Zero();    // m/s, of the higher row against the lower
   const TestedPair* pair_ = nullptr;

@@ -81,7 +81,7 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
   out.resize(pairs.size());
   // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
   const auto keep_near = [&](BodyIndex lo, BodyIndex hi, Approach& approach) {
-    if (approach.kind == Approach::Kind::kPassing && holds_both(scratch, lo, hi) && !bends(scratch, paths, lo, hi))
+    if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi))
       approach.kind = Approach::Kind::kNear;
   };
   const auto find = [&](std::size_t begin, std::size_t end) {
