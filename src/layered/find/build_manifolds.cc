@@ -1,17 +1,16 @@
 #include "src/layered/find/build_manifolds.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
-#include "src/collide/box_pair.h"
+#include "src/layered/find/contact_axes.h"
 #include "src/layered/find/contact_recall.h"
 #include "src/layered/find/fast_pairs.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
 #include "src/layered/find/manifold_points.h"
-#include "src/layered/find/pushing_axes.h"
 #include "src/layered/find/pair_tests.h"
+#include "src/layered/find/point_reach.h"
 #include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
@@ -104,35 +103,28 @@ class Builder {
     const std::size_t before = out_.manifolds.size();
     const double slop = std::min(kSlop, kSlopOfHalfExtent * smallest_);
     slop_ = std::min(slop + sag_, slack_of(smallest_));
-    const bool passing = in_reach() && leave_pushing(lo, hi);
+    const bool passing = in_reach() && leave_pushing_axes(lo, hi);
     add_preferred(lo, hi);
     return passing || out_.manifolds.size() > before;
-  }
-
-  // The largest separation of the pair, m.
-  double apart() const {
-    const double face = larger_separation(pair_->face_a, pair_->face_b);
-    return pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
   }
 
   // Whether points of the pair may be kept, though it is not deep in one another.
   bool in_reach() const {
     const double closes = length(approach_) * (dt_ - pair_->later) + turn_;
-    return apart() >= -slop_ && apart() - closes <= slack_of(smallest_) + fall_;
+    const double apart = separation_of(*pair_);
+    return apart >= -slop_ && apart - closes <= slack_of(smallest_) + fall_;
   }
 
   // Leaves of the axes those that may push. Returns whether the pair passes.
-  bool leave_pushing(BodyIndex lo, BodyIndex hi) {
-    const BoxPair boxes(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
-    const Vec3 way = approach_ * (dt_ - pair_->later);
-    const PushingAxes pushing = pushing_axes(boxes, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, slop_);
-    if (pushing.all) return false;
-    const auto best = [&](AxisSet of) { return boxes.best(static_cast<AxisSet>(pushing.axes & of)); };
-    tested_ = {best(kFacesOfA), best(kFacesOfB), best(kEdges), pair_->offset, pair_->later};
+  bool leave_pushing_axes(BodyIndex lo, BodyIndex hi) {
+    tested_ = *pair_;
     pair_ = &tested_;
-    return pushing.passing;
+    const Vec3 way = approach_ * (dt_ - pair_->later);
+    return leave_pushing(scratch_.frames[lo], scratch_.frames[hi],
+                         {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, slop_, tested_);
   }
 
+  // Adds what a pair needs in the step: manifolds, or a place among the fast pairs.
   void step_pair(BodyIndex lo, BodyIndex hi) {
     const std::size_t manifolds = out_.manifolds.size(), points = out_.points.size();
     pushes_ = false;
@@ -148,24 +140,16 @@ class Builder {
 
   // A pair that meets although no point closes or lies in both boxes, as it faces now, gets its contacts when it meets.
   void list_if_meeting(BodyIndex lo, BodyIndex hi) {
-    if (pair_->later == 0 && apart() > length(approach_) * dt_ + turn_) return;
+    if (pair_->later == 0 && separation_of(*pair_) > length(approach_) * dt_ + turn_) return;
     if (paths_.follow(lo, hi, 0).kind == Approach::Kind::kMeeting) out_.fast_pairs.emplace_back(lo, hi);
   }
 
-  // The axes that kept two boxes apart until they met; edges like faces only if nothing else touches and no two tie.
+  // The axes that kept two boxes apart until they met; edges like faces only if nothing else touches.
   void add_last(BodyIndex lo, BodyIndex hi) {
-    const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
-    const BoxPair boxes(a, b);
+    const BoxPair boxes(scratch_.frames[lo], scratch_.frames[hi]);
     const std::size_t before = out_.manifolds.size();
     add_axes(lo, hi, boxes.best(kFaces | kEdges));
-    if (out_.manifolds.size() > before) return;
-    BestAxes last = boxes.best_of_all();
-    for_each_axis(static_cast<AxisSet>(last.axes & kEdges), [&](int axis) {
-      const Vec3 n = boxes.normal(axis);
-      if (!one_farthest_edge(a, (axis - 6) / 3, n) || !one_farthest_edge(b, (axis - 6) % 3, n))
-        last.axes = static_cast<AxisSet>(last.axes & ~only(axis));
-    });
-    add_axes(lo, hi, last);
+    if (out_.manifolds.size() == before) add_axes(lo, hi, last_axes(boxes));
   }
   void add_axes(BodyIndex lo, BodyIndex hi, const BestAxes& best) {
     add_faces(lo, hi, static_cast<AxisSet>(best.axes & kFacesOfA));
@@ -173,21 +157,12 @@ class Builder {
     add_edges(lo, hi, {static_cast<AxisSet>(best.axes & kEdges), best.separation});
   }
 
-  // Contact normals as resting boxes need them: faces are preferred to edges, and one box's faces to the other's.
   void add_preferred(BodyIndex lo, BodyIndex hi) {
-    const BestAxes &face_lo = pair_->face_a, &face_hi = pair_->face_b, &edge = pair_->edge;
-    const double face = larger_separation(face_lo, face_hi);
-    const int order = canonical(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
-    const bool lo_first = order >= 0, hi_first = order <= 0;
-    const bool no_face = face_lo.axes == 0 && face_hi.axes == 0;
-    if (edge.axes != 0 && (no_face || edge.separation > face + kEdgePreference * smallest_)) return add_edges(lo, hi, edge);
-    const double prefer = kFacePreference * smallest_;
-    const bool on_lo = face_lo.axes != 0 && (lo_first ? face_lo.separation >= face - prefer
-                                                      : face_lo.separation > face_hi.separation + prefer);
-    const bool on_hi = face_hi.axes != 0 && (hi_first ? face_hi.separation >= face - prefer
-                                                      : face_hi.separation > face_lo.separation + prefer);
-    if (on_lo) add_faces(lo, hi, face_lo.axes);
-    if (on_hi) add_faces(hi, lo, static_cast<AxisSet>(face_hi.axes >> 3U));
+    const int order = reference_order(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
+    const ContactAxes axes = preferred_axes(*pair_, order, smallest_);
+    add_edges(lo, hi, axes.edges);
+    add_faces(lo, hi, axes.faces_of_a);
+    add_faces(hi, lo, axes.faces_of_b);
   }
 
   // The separation, m, up to which points are kept. n: from the lower row to the higher.
@@ -204,28 +179,13 @@ class Builder {
   }
 
   void add_edges(BodyIndex lo, BodyIndex hi, const BestAxes& edge) {
-    const int order = canonical(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
+    const int order = reference_order(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
     for_each_axis(edge.axes, [&](int axis) {
       const double margin = margin_of(BoxPair(scratch_.frames[lo], scratch_.frames[hi], pair_->offset).normal(axis));
       if (edge.separation > margin) return;
       if (order >= 0) add_edge(lo, hi, axis, edge.separation, margin);
       if (order <= 0) add_edge(hi, lo, axis, edge.separation, margin);
     });
-  }
-
-  // Which box is the reference: > 0: a, < 0: b, 0: a tie.
-  static int canonical(const BoxFrame& box_a, const BoxFrame& box_b, const Vec3& offset) {
-    const double a = volume_measure(box_a), b = volume_measure(box_b);
-    if (a != b) return a > b ? 1 : -1;
-    const double up = offset.z();
-    return up > 0 ? 1 : up < 0 ? -1 : 0;
-  }
-
-  static Vec3 towards(const Vec3& offset, const Vec3& axis) { return dot(offset, axis) < 0 ? Vec3(-axis) : axis; }
-
-  template <class Visit>
-  static void for_each_axis(AxisSet axes, Visit visit) {
-    for (unsigned rest = axes; rest != 0; rest &= rest - 1) visit(std::countr_zero(rest));
   }
 
   ManifoldSide side_of(BodyIndex reference, BodyIndex incident, double margin) const {
@@ -236,7 +196,6 @@ class Builder {
   void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
     Manifold& m = fresh(reference, incident);
     face_manifold(side_of(reference, incident, margin), axis, m, out_.points);
-    separate_as_now(m);
     finish(m);
   }
 
@@ -248,13 +207,11 @@ class Builder {
     const int own_axis = reference < incident ? axis : 6 + 3 * j + i;
     const BoxPair boxes(*side.reference, *side.incident, side.d);
     edge_manifold(side, boxes, own_axis, separation, m, out_.points);
-    separate_as_now(m);
     finish(m);
   }
 
   // The points lie where the boxes will meet; the separations become those of now.
   void separate_as_now(const Manifold& m) {
-    if (pair_->later == 0) return;
     const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
     for (ManifoldPoint& point : points_of(out_, m)) point.separation -= pair_->later * opening;
   }
@@ -296,24 +253,11 @@ class Builder {
 
   // Removes points that cannot meet within the step, and recalls the impulses of the last step.
   void finish(Manifold& m) {
-    std::vector<ManifoldPoint>& points = out_.points;
-    const Vec3 va = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.velocity[m.a];
-    const Vec3 wa = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.spin[m.a];
-    const Vec3 u = (bodies_.velocity[m.b] - va) - cross(wa, m.d), w = bodies_.spin[m.b] - wa;
-    const double un = dot(u, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
+    if (m.a != kGround && pair_->later != 0) separate_as_now(m);
     double smallest = scratch_.frames[m.b].half_extent.minCoeff();
     if (m.a != kGround) smallest = std::min(smallest, scratch_.frames[m.a].half_extent.minCoeff());
-    const double reach = slack_of(smallest) + fall_;
-    std::size_t kept = m.first;
-    for (std::size_t k = m.first; k < points.size(); ++k) {
-      const double speed = un + (w1 * points[k].q - w2 * points[k].p);
-      if (points[k].separation + std::min(0.0, speed) * dt_ > reach) continue;
-      pushes_ |= points[k].separation + speed * pushing_s_ <= 0;
-      if (kept != k) points[kept] = points[k];  // a copy onto itself would stall
-      ++kept;
-    }
-    points.resize(kept);
-    m.count = static_cast<std::uint32_t>(kept - m.first);
+    const PointReach reach = {dt_, pushing_s_, slack_of(smallest) + fall_};
+    pushes_ |= leave_points_in_reach(bodies_, reach, m, out_.points);
     if (m.count == 0) return out_.manifolds.pop_back();
     recall_.warm_start(m, points_of(out_, m));
   }
@@ -323,13 +267,14 @@ class Builder {
   const Scratch& scratch_;
   ManifoldList& out_;
   double dt_;
-  double fall_;  // m, way that gravity may add within the step
-  double sag_;   // m, within a substep
-  bool pushes_ = false;  // whether a point of the pair at hand does
-  double pushing_s_;  // s, within which points are pushed that would close: a sweep looks a substep ahead
+  double fall_;              // m, way that gravity may add within the step
+  double sag_;               // m, within a substep
+  bool pushes_ = false;      // whether a point of the pair at hand does
+  double pushing_s_;         // s, within which points are pushed that would close: a sweep looks a substep ahead
   FreePaths paths_, ahead_;  // over the step; and over pushing_s_
   double smallest_ = 0, slop_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
-  Vec3 approach_ = Vec3::Zero();    // m/s, of the higher row against the lower
+  Vec3 approach_ = Vec3::Zero();               // m/s, of the higher row against the lower
+  TestedPair tested_{};
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
   const Manifold empty_{};  // copying one is faster than making one
