@@ -1,7 +1,9 @@
 #include "src/collide/box_pair.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "src/base/check.h"
 #include "src/kernels/box_tests.h"
@@ -125,6 +127,17 @@ BestAxes BoxPair::best(AxisSet candidates) const {
   return best;
 }
 
+double BoxPair::second(AxisSet candidates) const {
+  double most = -std::numeric_limits<double>::infinity(), second = most;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const Separation s = along(std::countr_zero(left));
+    if (!s.has_direction) continue;
+    second = std::max(second, std::min(most, s.value));
+    most = std::max(most, s.value);
+  }
+  return second;
+}
+
 BestAxes BoxPair::best_of_all() const {
   BestAxes best = this->best(kFaces);
   for (int axis = 6; axis < kAxisCount; ++axis) {
@@ -168,6 +181,8 @@ void find_faces_singly(BoxTests& tests) {
     const BoxPair pair = pair_of(tests, k);
     put(tests.faces_of_a, k, pair.best(kFacesOfA));
     put(tests.faces_of_b, k, pair.best(kFacesOfB));
+    tests.second_of_a[k] = pair.second(kFacesOfA);
+    tests.second_of_b[k] = pair.second(kFacesOfB);
   }
 }
 

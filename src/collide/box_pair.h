@@ -56,6 +56,9 @@ class BoxPair {
   /// The largest separation among `candidates`.
   [[nodiscard]] BestAxes best(AxisSet candidates) const;
 
+  /// The second largest separation among three candidates, m; −∞ where fewer than two have a direction.
+  [[nodiscard]] double second(AxisSet candidates) const;
+
   /// The largest separation among all fifteen axes, edge axes that repeat a face included: positive where the boxes do
   /// not touch, whatever keeps them apart.
   [[nodiscard]] BestAxes best_of_all() const;

@@ -24,13 +24,14 @@ struct BoxTests {
   std::uint32_t a[kMost] = {}, b[kMost] = {};  ///< rows of frames; all kMost must exist
   alignas(64) double offset[3][kMost] = {};    ///< x_b − x_a, m
   Best faces_of_a, faces_of_b, edges;
-  Best all;                                        ///< BoxPair::best_of_all
-  alignas(64) double apart_along_facelike[kMost];  ///< BoxPair::apart_along_facelike_edges, 1 or 0
+  Best all;                                                    ///< BoxPair::best_of_all
+  alignas(64) double second_of_a[kMost], second_of_b[kMost];  ///< BoxPair::second of both boxes' faces
+  alignas(64) double apart_along_facelike[kMost];             ///< BoxPair::apart_along_facelike_edges, 1 or 0
 };
 
 /// The box test for many pairs. One lane calls BoxPair.
 struct BoxTestKernels {
-  void (*find_faces)(BoxTests& tests);  ///< fills faces_of_a, faces_of_b
+  void (*find_faces)(BoxTests& tests);  ///< fills faces_of_a, faces_of_b, second_of_a, second_of_b
   void (*find_edges)(BoxTests& tests);  ///< fills edges
   void (*find_all)(BoxTests& tests);    ///< fills all results but `all`
   void (*find_best)(BoxTests& tests);   ///< fills `all`

@@ -55,6 +55,13 @@ void store_best(const V (&separation)[kCount], double bit, BoxTests::Best& best,
   store(best.separation + at, most == kNoDirection ? zero : most);
 }
 
+// The second largest of three.
+template <class V>
+V second_of(const V (&separation)[3]) {
+  const V low = smaller(separation[0], separation[1]), high = larger(separation[0], separation[1]);
+  return larger(low, smaller(high, separation[2]));
+}
+
 template <class V>
 V along_face(const Space<V>& offset, const Space<V>& normal, V half, const V (&other_half)[3], V p0, V p1, V p2) {
   const V distance = dot(offset, normal);
@@ -77,6 +84,8 @@ void find_faces_of(const LanePairs<V>& pairs, BoxTests& tests, std::size_t at) {
   separate_faces(pairs, of_a, of_b);
   store_best(of_a, 1, tests.faces_of_a, at);
   store_best(of_b, 8, tests.faces_of_b, at);
+  store(tests.second_of_a + at, second_of(of_a));
+  store(tests.second_of_b + at, second_of(of_b));
 }
 
 // Along a's edge i crossed with b's edge j, whether or not that axis repeats a face. Writes the length of the product.

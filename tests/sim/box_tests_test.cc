@@ -144,6 +144,8 @@ TEST(BoxTests, EveryWidthGivesTheBitsOfBoxPair) {
         ASSERT_TRUE(same(pair.best(kFacesOfB), pairs.tests.faces_of_b, k)) << name_of(width) << ", seed " << seed;
         ASSERT_TRUE(same(pair.best(kEdges), pairs.tests.edges, k)) << name_of(width) << ", seed " << seed;
         ASSERT_TRUE(same(pair.best_of_all(), pairs.tests.all, k)) << name_of(width) << ", seed " << seed;
+        ASSERT_EQ(pair.second(kFacesOfA), pairs.tests.second_of_a[k]) << name_of(width) << ", seed " << seed;
+        ASSERT_EQ(pair.second(kFacesOfB), pairs.tests.second_of_b[k]) << name_of(width) << ", seed " << seed;
       }
       expect_all_together(box_tests, pairs, name_of(width));
     }

@@ -117,11 +117,12 @@ class Builder {
 
   // Leaves of the axes those that may push. Returns whether the pair passes.
   bool leave_pushing_axes(BodyIndex lo, BodyIndex hi) {
+    const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
+    if (!may_open_two(a, b, *pair_, slop_)) return false;
     tested_ = *pair_;
     pair_ = &tested_;
     const Vec3 way = approach_ * (dt_ - pair_->later);
-    return leave_pushing(scratch_.frames[lo], scratch_.frames[hi],
-                         {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, slop_, tested_);
+    return leave_pushing(a, b, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, slop_, tested_);
   }
 
   // Adds what a pair needs in the step: manifolds, or a place among the fast pairs.

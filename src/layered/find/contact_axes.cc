@@ -1,6 +1,7 @@
 #include "src/layered/find/contact_axes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/layered/find/manifold_points.h"
 
@@ -9,6 +10,15 @@ namespace tumble::sim {
 double separation_of(const TestedPair& pair) {
   const double face = larger_separation(pair.face_a, pair.face_b);
   return pair.edge.axes != 0 ? std::max(face, pair.edge.separation) : face;
+}
+
+bool may_open_two(const BoxFrame& a, const BoxFrame& b, const TestedPair& pair, double slop) {
+  if (std::max(pair.second_a, pair.second_b) >= -slop) return true;
+  if (pair.edge.axes != 0 && pair.edge.separation >= -slop) return true;
+  if (pair.face_a.axes == 0 || pair.face_b.axes == 0) return false;
+  if (std::min(pair.face_a.separation, pair.face_b.separation) < -slop) return false;
+  const int of_a = std::countr_zero(pair.face_a.axes), of_b = std::countr_zero(pair.face_b.axes) - 3;
+  return std::fabs(dot(a.axes[of_a], b.axes[of_b])) < kOtherDirection;
 }
 
 int reference_order(const BoxFrame& box_a, const BoxFrame& box_b, const Vec3& offset) {

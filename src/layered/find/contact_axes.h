@@ -10,6 +10,9 @@ namespace tumble::sim {
 /// The largest separation of a pair, m.
 double separation_of(const TestedPair& pair);
 
+/// Whether two directions may be open (PushingAxes): a quick no for most pairs that rest on one another.
+bool may_open_two(const BoxFrame& a, const BoxFrame& b, const TestedPair& pair, double slop);
+
 /// Which box of a pair is the reference: > 0: a, < 0: b, 0: each of one manifold, since the two are exactly alike.
 /// offset: x_b − x_a, m.
 int reference_order(const BoxFrame& a, const BoxFrame& b, const Vec3& offset);

@@ -51,6 +51,8 @@ const TestedPair* PairTests::next() {
   tested_.face_a = best_of(tests_.faces_of_a, k);
   tested_.face_b = best_of(tests_.faces_of_b, k);
   tested_.edge = best_of(tests_.edges, k);
+  tested_.second_a = tests_.second_of_a[k];
+  tested_.second_b = tests_.second_of_b[k];
   tested_.offset = {tests_.offset[0][k], tests_.offset[1][k], tests_.offset[2][k]};
   tested_.later = later_[k];
   return &tested_;
@@ -108,6 +110,8 @@ void PairTests::keep_near() {
     for (double(&offset)[BoxTests::kMost] : tests_.offset) offset[kept] = offset[k];
     copy(tests_.faces_of_a, k, kept);
     copy(tests_.faces_of_b, k, kept);
+    tests_.second_of_a[kept] = tests_.second_of_a[k];
+    tests_.second_of_b[kept] = tests_.second_of_b[k];
     later_[kept] = later_[k];
     ++kept;
   }
@@ -125,7 +129,13 @@ const TestedPair& FastPairTests::next() {
   SIM_DCHECK(taken_ < tests_.count, pair_);
   const std::size_t k = taken_++;
   const Vec3 offset(tests_.offset[0][k], tests_.offset[1][k], tests_.offset[2][k]);
-  tested_ = {best_of(tests_.faces_of_a, k), best_of(tests_.faces_of_b, k), best_of(tests_.edges, k), offset, 0};
+  tested_ = {best_of(tests_.faces_of_a, k),
+             best_of(tests_.faces_of_b, k),
+             best_of(tests_.edges, k),
+             tests_.second_of_a[k],
+             tests_.second_of_b[k],
+             offset,
+             0};
   return tested_;
 }
 

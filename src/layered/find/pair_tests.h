@@ -25,8 +25,9 @@ inline constexpr double kFacePreference = 0.001;  ///< for a face of the other b
 /// The result of the box test for a pair that may touch within the step; a is the lower row.
 struct TestedPair {
   BestAxes face_a, face_b, edge;
-  Vec3 offset;   ///< x_b − x_a, m, at the meeting
-  double later;  ///< s until the meeting; 0 unless the boxes are fast for their thickness
+  double second_a, second_b;  ///< m, the second largest separation along the faces of a and of b (BoxPair::second)
+  Vec3 offset;                ///< x_b − x_a, m, at the meeting
+  double later;               ///< s until the meeting; 0 unless the boxes are fast for their thickness
 };
 
 /// Runs the box test over the pairs of a step in ascending order, many at a time in lanes (src/kernels/box_tests.h).

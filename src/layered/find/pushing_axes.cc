@@ -6,8 +6,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kOtherDirection = 0.5;  // |cosine| below which two axes are two directions
-
 struct OpenAxis {
   int axis;
   Vec3 n;

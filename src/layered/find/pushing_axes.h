@@ -4,6 +4,9 @@
 
 namespace tumble::sim {
 
+/// |Cosine| below which two axes are two directions.
+inline constexpr double kOtherDirection = 0.5;
+
 /// How two boxes move from the places of a BoxPair on.
 struct PairMotion {
   Vec3 way;             ///< m, of b against a
