@@ -8,101 +8,198 @@
 namespace tumble::sim {
 namespace {
 
-template <class V>
-V clamped(V x, V limit) {
-  return x < -limit ? -limit : (limit < x ? limit : x);
-}
-
-// Accumulated friction along t1 and t2, and about n.
+// Accumulated friction along t1 and t2, and about n; or a slip along them.
 template <class V>
 struct Friction {
   V force1, force2, twist;
 };
-
-// Of all forces of size `size`, the one that comes nearest to stopping the slip: the slip that it leaves has the least
-// energy (maximum dissipation), and the force opposes it. f: in the lanes of `slips` the force that would stop the
-// slip, longer than `size`; m11, m12, m22: the masses that the tangents see. Lagrange's (1 + μ m) force = f, with
-// Newton's method for 1 / |force|, which finds μ from below, at once where the masses are even.
-template <class V, class Mask>
-void cut_to_circle(V size, V m11, V m12, V m22, Mask slips, Friction<V>& f) {
-  constexpr int kNewtonSteps = 4;
-  constexpr double kNear = 1e-6;
-  const V one = V{} + 1.0, tiny = V{} + 1e-300;
-  V force1 = f.force1, force2 = f.force2;
-  V length = square_root(larger(tiny, force1 * force1 + force2 * force2));
-  const V goal = larger(size, length * 1e-9);  // of no friction at all, the direction
-  const V apart = m11 - m22, heaviest = 0.5 * ((m11 + m22) + square_root(apart * apart + 4.0 * m12 * m12));
-  V mu = (length / goal - one) / larger(tiny, heaviest);
-  for (int k = 0; k < kNewtonSteps; ++k) {
-    const V a = one + mu * m11, b = mu * m12, d = one + mu * m22, scale = one / (a * d - b * b);
-    force1 = (d * f.force1 - b * f.force2) * scale;
-    force2 = (a * f.force2 - b * f.force1) * scale;
-    const V square = force1 * force1 + force2 * force2;
-    length = square_root(larger(tiny, square));
-    const auto far = slips & (length > goal * (1 + kNear));
-    if (!any(far)) break;
-    const V g1 = m11 * force1 + m12 * force2, g2 = m12 * force1 + m22 * force2;
-    const V fall = (force1 * (d * g1 - b * g2) + force2 * (a * g2 - b * g1)) * scale;
-    mu = far ? mu + (length / goal - one) * square / larger(tiny, fall) : mu;
-  }
-  f.force1 = slips ? force1 * (size / length) : f.force1;
-  f.force2 = slips ? force2 * (size / length) : f.force2;
+template <class V>
+V dot(const Friction<V>& a, const Friction<V>& b) {
+  return (a.force1 * b.force1 + a.force2 * b.force2) + a.twist * b.twist;
 }
 
-// Cuts the force to the cone of friction. A contact that has slipped in this substep keeps the dynamic coefficient
-// until the substep ends; otherwise it would stick and slip by turns from sweep to sweep.
+// A symmetric 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33.
+template <class V>
+struct FrictionMatrix {
+  V of[6];
+
+  Friction<V> times(const Friction<V>& x) const {
+    return {(of[0] * x.force1 + of[1] * x.force2) + of[2] * x.twist,
+            (of[1] * x.force1 + of[3] * x.force2) + of[4] * x.twist,
+            (of[2] * x.force1 + of[4] * x.force2) + of[5] * x.twist};
+  }
+  // x, where this matrix times x is -y.
+  Friction<V> against(const Friction<V>& y) const {
+    const V c11 = of[3] * of[5] - of[4] * of[4], c22 = of[0] * of[5] - of[2] * of[2];
+    const V c12 = of[2] * of[4] - of[1] * of[5], c13 = of[1] * of[4] - of[2] * of[3];
+    const V c33 = of[0] * of[3] - of[1] * of[1], c23 = of[1] * of[2] - of[0] * of[4];
+    const FrictionMatrix cofactors = {{c11, c12, c13, c22, c23, c33}};
+    const V scale = -1.0 / (of[5] * c33 + (of[2] * c13 + of[4] * c23));
+    const Friction<V> x = cofactors.times(y);
+    return {x.force1 * scale, x.force2 * scale, x.twist * scale};
+  }
+};
+
+// Normal impulses of a manifold's points: their sum, and the largest.
+template <class V>
+struct Pressure {
+  V sum, most;
+};
+
+// Coulomb's cones at the points of a manifold.
 template <class V, template <class> class B>
-void cut_force(const Manifolds<V, B>& m, V pressure, const V inverse[6], Friction<V>& f) {
+class Cones {
+ public:
+  Cones(const Manifolds<V, B>& m, const Pressure<V>& pressure, V coefficient)
+      : m_(m), p_(m.get(m.batch->centre_p)), q_(m.get(m.batch->centre_q)), coefficient_(coefficient) {
+    const V terms = terms_of(m);
+    for (unsigned k = 0; k < m.batch->count; ++k) {
+      reach_ = larger(reach_, where_pressed(k, larger(magnitude(p(k)), magnitude(q(k)))));
+    }
+    most_ = pressure.most * terms;
+  }
+
+  // Sets how the points slip where the centre slips by `d`, and the sum of impulse times slip.
+  void slip(const Friction<V>& d) {
+    const V magic = grid_of(most_ * (magnitude(d.force1) + (magnitude(d.force2) + 2.0 * reach_ * magnitude(d.twist))));
+    work_ = fastest_ = V{};
+    for (unsigned k = 0; k < m_.batch->count; ++k) {
+      const V along1 = slip1_[k] = d.force1 - d.twist * q(k), along2 = slip2_[k] = d.force2 + d.twist * p(k);
+      const V speed = speed_[k] = square_root(along1 * along1 + along2 * along2);
+      fastest_ = larger(fastest_, where_pressed(k, speed));
+      work_ += to_grid(magic, m_.get(m_.points[k].impulse) * speed);
+    }
+  }
+  V work() const { return work_; }
+
+  // Adds to `matrix` the cones as if they were viscous: at `part` of the slip each gives all that it can.
+  void add_viscous(V part, FrictionMatrix<V>& matrix) {
+    constexpr double kSlowest = 1e-6;  // of the fastest point; a slower one hardly slips
+    const V slowest = part * fastest_ * kSlowest + 1e-150;
+    V largest = V{};
+    for (unsigned k = 0; k < m_.batch->count; ++k) {
+      viscous_[k] = coefficient_ * m_.get(m_.points[k].impulse) / larger(slowest, part * speed_[k]);
+      largest = larger(largest, viscous_[k]);
+    }
+    largest = largest * terms_of(m_);
+    const V magic = grid_of(largest), magic_1 = grid_of(largest * reach_),
+            magic_2 = grid_of(2.0 * (largest * (reach_ * reach_)));
+    V sum = V{}, sum_p = V{}, sum_q = V{}, sum_2 = V{};
+    for (unsigned k = 0; k < m_.batch->count; ++k) {
+      const V here = viscous_[k], x = p(k), y = q(k);
+      sum += to_grid(magic, here);
+      sum_p += to_grid(magic_1, here * x);
+      sum_q += to_grid(magic_1, here * y);
+      sum_2 += to_grid(magic_2, here * (x * x + y * y));
+    }
+    V* const of = matrix.of;
+    of[0] += sum;
+    of[2] -= sum_q;
+    of[3] += sum;
+    of[4] += sum_p;
+    of[5] += sum_2;
+  }
+
+  // Friction against the last slip, by the last add_viscous; no point gives more than it can.
+  Friction<V> friction() const {
+    const V most = coefficient_ * most_, magic = grid_of(most), magic_1 = grid_of(2.0 * (most * reach_));
+    Friction<V> f = {V{}, V{}, V{}};
+    for (unsigned k = 0; k < m_.batch->count; ++k) {
+      const V limit = coefficient_ * m_.get(m_.points[k].impulse), wanted = viscous_[k] * speed_[k];
+      const V here = wanted > limit ? limit / speed_[k] : viscous_[k];
+      const V force1 = here * slip1_[k], force2 = here * slip2_[k];
+      f.force1 -= to_grid(magic, force1);
+      f.force2 -= to_grid(magic, force2);
+      f.twist -= to_grid(magic_1, p(k) * force2 - q(k) * force1);
+    }
+    return f;
+  }
+
+ private:
+  V p(unsigned point) const { return m_.get(m_.points[point].p) - p_; }
+  V q(unsigned point) const { return m_.get(m_.points[point].q) - q_; }
+  // Other manifolds of the batch may have points that this one lacks; those have no impulse.
+  V where_pressed(unsigned point, V value) const { return m_.get(m_.points[point].impulse) > 0.0 ? value : V{}; }
+  // Magic number of a grid on which sums are exact whose magnitudes add up to no more.
+  static V grid_of(V magnitudes) { return 3.0 * power_of_two(magnitudes); }
+
+  const Manifolds<V, B>& m_;
+  V p_, q_, coefficient_;
+  V reach_ = V{}, most_ = V{}, work_ = V{}, fastest_ = V{};
+  V slip1_[kPointsMax], slip2_[kPointsMax], speed_[kPointsMax], viscous_[kPointsMax];
+};
+
+// Of all frictions that the points can give, each within its cone, the one that leaves the slip with the least energy
+// (maximum dissipation). Its slip d minimises ½ d·A d + stop·d + Σ μλ |slip of the point|, A the inverse of the
+// response; each round puts a parabola that touches from above in the place of each |slip|, and first finds the best
+// multiple of d. Of the slip of a round nothing is kept but how the points slip, so the force is within the cones after
+// any number of rounds. stop: friction that would stop all slip. Lanes where the points can give it keep it.
+template <class V, template <class> class B, class Mask>
+Friction<V> cut_to_cones(const Manifolds<V, B>& m, const Pressure<V>& pressure, const FrictionMatrix<V>& inverse,
+                         const Friction<V>& stop, Mask asked) {
+  constexpr int kRounds = 3;
+  constexpr double kLeastPart = 0.3;
   ContactBatch& batch = *m.batch;
-  const V sliding = m.get(batch.sliding), one = V{} + 1.0;
-  const V dynamic = m.get(batch.friction_dynamic) * pressure;
-  const V limit = sliding == one ? dynamic : m.get(batch.friction) * pressure;
-  const auto slips = f.force1 * f.force1 + f.force2 * f.force2 > limit * limit;
-  if (!any(slips)) return;
+  const V sliding = m.get(batch.sliding), one = V{} + 1.0, dynamic = m.get(batch.friction_dynamic);
+  const V holds = sliding == one ? dynamic : m.get(batch.friction);
+  Cones<V, B> cones(m, pressure, dynamic);
+  Friction<V> d = inverse.against(stop);
+  for (int round = 0; round < kRounds; ++round) {
+    cones.slip(d);
+    const V best = -(dot(stop, d) + dynamic * cones.work()) / dot(d, inverse.times(d));
+    FrictionMatrix<V> matrix = inverse;
+    cones.add_viscous(larger(V{} + kLeastPart, best), matrix);
+    d = matrix.against(stop);
+  }
+  cones.slip(d);
+  const auto slips = asked & (dot(stop, d) + holds * cones.work() < 0.0);
+  if (!any(slips)) return stop;
   m.set(batch.sliding, slips ? one : sliding);
-  cut_to_circle(dynamic, inverse[0], inverse[1], inverse[3], slips, f);
+  const Friction<V> f = cones.friction();
+  return {slips ? f.force1 : stop.force1, slips ? f.force2 : stop.force2, slips ? f.twist : stop.twist};
 }
 
-// Force and twist within their limits, from those that together would stop slip and spin. Where one is cut, the other
-// takes what is best with that: a force that counts on a twist which a single point cannot give would push along the
-// slip. inverse: of the matrix of (t1, t2, twist), as friction_inverse.
+// Friction within the cones of the points, from the one that would stop slip and spin. A contact that has slipped in
+// this substep keeps the dynamic coefficient until the substep ends; otherwise it would stick and slip by turns from
+// sweep to sweep. A single point gives no twist; a force that counts on one would push along the slip.
 template <class V, template <class> class B>
-Friction<V> within_limits(const Manifolds<V, B>& m, V pressure, const Friction<V>& stop, const V inverse[6]) {
-  const V twist_limit = m.get(m.batch->friction) * pressure * m.get(m.batch->radius);
-  Friction<V> f = stop;
-  f.twist = clamped(stop.twist, twist_limit);
-  if (any_differ(f.twist, stop.twist)) {
-    const auto cut = f.twist != stop.twist;
-    const V missing = (f.twist - stop.twist) / inverse[5];
-    f.force1 = cut ? stop.force1 + inverse[2] * missing : stop.force1;
-    f.force2 = cut ? stop.force2 + inverse[4] * missing : stop.force2;
+Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure, Friction<V> stop,
+                          FrictionMatrix<V> inverse) {
+  constexpr double kSurely = 0.25, kEven = 0.75;
+  const V radius = m.get(m.batch->radius), zero = V{}, one = zero + 1.0;
+  const auto flat = radius > 0.0;
+  if (!all_of(flat)) {
+    const V* const of = inverse.of;
+    const V per_twist = 1.0 / larger(zero + 1e-300, of[5]), x = of[2] * per_twist, y = of[4] * per_twist;
+    stop.force1 = flat ? stop.force1 : stop.force1 - x * stop.twist;
+    stop.force2 = flat ? stop.force2 : stop.force2 - y * stop.twist;
+    stop.twist = flat ? stop.twist : zero;
+    inverse = {{flat ? of[0] : of[0] - x * of[2], flat ? of[1] : of[1] - x * of[4], flat ? of[2] : zero,
+                flat ? of[3] : of[3] - y * of[4], flat ? of[4] : zero, of[5]}};
   }
-  cut_force(m, pressure, inverse, f);
-  const V moved = magnitude(f.force1 - stop.force1) + magnitude(f.force2 - stop.force2);
-  if (!any_above(moved, V{})) return f;
-  const V scale = 1.0 / (inverse[0] * inverse[3] - inverse[1] * inverse[1]);
-  const V along1 = (inverse[3] * inverse[2] - inverse[1] * inverse[4]) * scale;
-  const V along2 = (inverse[0] * inverse[4] - inverse[1] * inverse[2]) * scale;
-  const V twist = stop.twist + (along1 * (f.force1 - stop.force1) + along2 * (f.force2 - stop.force2));
-  f.twist = moved == 0.0 ? f.twist : clamped(twist, twist_limit);
-  return f;
+  // Without asking each point: none bears more than three quarters, and the friction is a quarter of the most.
+  const V coefficient = m.get(m.batch->sliding) == one ? m.get(m.batch->friction_dynamic) : m.get(m.batch->friction);
+  const V arm = flat ? radius : one, limit = coefficient * pressure.sum * (flat ? arm * kSurely : one);
+  const V force = (stop.force1 * stop.force1 + stop.force2 * stop.force2) * (arm * arm);
+  const auto asked =
+      (force + stop.twist * stop.twist > limit * limit) | (flat & (pressure.most > kEven * pressure.sum));
+  return any(asked) ? cut_to_cones(m, pressure, inverse, stop, asked) : stop;
 }
 
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
 template <class V, template <class> class B>
-Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
+Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, const Pressure<V>& pressure) {
   ContactBatch& batch = *m.batch;
   const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
   const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
   const V u1 = dot(motion.u, m.t1) + (w2 * offset - wn * q);
   const V u2 = dot(motion.u, m.t2) + (wn * p - w1 * offset);
-  V f[6];
-  for (int k = 0; k < 6; ++k) f[k] = m.get(batch.friction_inverse[k]);
+  FrictionMatrix<V> inverse;
+  for (int k = 0; k < 6; ++k) inverse.of[k] = m.get(batch.friction_inverse[k]);
+  const Friction<V> missing = inverse.times({u1, u2, wn});
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
-  const Friction<V> stop = {before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn),
-                            before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn),
-                            twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn)};
-  const Friction<V> now = within_limits(m, pressure, stop, f);
+  const Friction<V> now = within_limits(
+      m, pressure, {before1 - missing.force1, before2 - missing.force2, twist_before - missing.twist}, inverse);
   const V d1 = now.force1 - before1, d2 = now.force2 - before2;
   m.set(batch.force1, now.force1);
   m.set(batch.force2, now.force2);

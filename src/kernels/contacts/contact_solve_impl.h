@@ -13,13 +13,18 @@ constexpr int kInnerRestitution = 12;  // one visit a step; an impulse that fall
 constexpr double kSkin = 0.0001;       // m apart that counts as touching; see bias_of
 constexpr double kPushMax = 1;         // m/s
 
-// The sum of the points' normal impulses.
 template <class V, template <class> class B>
-V pressure_of(const Manifolds<V, B>& m) {
+Pressure<V> pressure_of(const Manifolds<V, B>& m) {
   const V magic = m.get(m.batch->impulse_magic);
-  V pressure = V{};
-  for (unsigned k = 0; k < m.batch->count; ++k) pressure += to_grid(magic, m.get(m.points[k].impulse));
-  return any_above(pressure, m.get(m.batch->impulse_max)) ? add_up_impulses(m).s : pressure;
+  Pressure<V> pressure = {V{}, V{}};
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    const V impulse = m.get(m.points[k].impulse);
+    pressure.sum += to_grid(magic, impulse);
+    pressure.most = larger(pressure.most, impulse);
+  }
+  if (any_above(pressure.sum, m.get(m.batch->impulse_max))) [[unlikely]]
+    pressure.sum = add_up_impulses(m).s;
+  return pressure;
 }
 
 // The normal velocity that a point should have, negated: added to the velocity that the impulse drives to zero. Between
@@ -131,9 +136,9 @@ template <Sweep kSweep, class V, template <class> class B = Body>
 void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V, B> m(work, batch, at);
   Motion<V> motion = relative_motion(m);
-  const V pressure = pressure_of(m);
+  const Pressure<V> pressure = pressure_of(m);
   if constexpr (kSweep == Sweep::kRestitution || kSweep == Sweep::kPart) {
-    write_outcomes(work, m, solve_normals<kSweep>(work, m, motion, pressure));
+    write_outcomes(work, m, solve_normals<kSweep>(work, m, motion, pressure.sum));
   } else {
     const Wrench<V> friction = solve_friction(m, motion, pressure);
     const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
@@ -142,7 +147,7 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
     const Space<V> wb = spin_of(m.b, friction.torque) * split_b;
     motion.u = motion.u + ((vb - va) - cross(wa, m.d));
     motion.w = motion.w + (wb - wa);
-    const Wrench<V> normal = solve_normals<kSweep>(work, m, motion, pressure);
+    const Wrench<V> normal = solve_normals<kSweep>(work, m, motion, pressure.sum);
     write_outcomes(work, m, {friction.force + normal.force, friction.torque + normal.torque});
   }
 }
