@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "golden/canaries/known_answers.h"
-#include "src/math/rotation.h"
-#include "src/render/gl/backend.h"
-#include "src/render/passes/effects.h"
-#include "src/render/renderer.h"
 #include "tumble/process/job_pool.h"
+#include "tumble/render/backend.h"
+#include "tumble/render/effects.h"
+#include "tumble/render/renderer.h"
+#include "tumble/sim/rotation.h"
 
 namespace tumble::golden {
 namespace {

@@ -7,7 +7,6 @@
 #include "golden/suite/temporary_folder.h"
 #include "src/base/text.h"
 #include "src/render/picture/image_difference.h"
-#include "src/render/picture/png.h"
 #include "src/render/scene/box_mesh.h"
 #include "src/render/scene/camera_moves.h"
 #include "src/render/scene/hull_faces.h"
@@ -15,6 +14,7 @@
 #include "src/render/scene/materials.h"
 #include "src/render/scene/solid.h"
 #include "src/render/scene/view.h"
+#include "tumble/render/png.h"
 #include "tumble/sim/hash.h"
 
 namespace tumble::golden {

@@ -61,7 +61,7 @@ std::optional<BodyIndex> Bodies::find(BodyId wanted) const {
 std::uint32_t method_version(Method method) {
   switch (method) {
     case Method::kThesis:
-      return 6;
+      return 7;
     case Method::kLayered:
       return 9;
   }

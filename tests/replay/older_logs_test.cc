@@ -60,6 +60,7 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_5_thesis",
                            "format_1.3_methods_5_layered",
                            "format_1.3_hashes_6_thesis",
+                           "format_1.3_methods_6_thesis",
                            "format_1.3_methods_6_layered",
                            "format_1.3_methods_7_layered",
                            "format_1.3_methods_8_layered",
@@ -106,7 +107,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_methods_6_thesis", "format_1.3_methods_9_layered"}) {
+  for (const char* name : {"format_1.3_methods_7_thesis", "format_1.3_methods_9_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }
