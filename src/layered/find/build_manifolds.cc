@@ -130,7 +130,8 @@ class Builder {
     const std::size_t manifolds = out_.manifolds.size(), points = out_.points.size();
     pushes_ = false;
     if (!pair(lo, hi)) return list_if_meeting(lo, hi);
-    if (!pushes_ || !passes(scratch_, ahead_, lo, hi)) return;
+    const bool moves = turn_ > 0 || approach_ != Vec3::Zero();  // part_overlaps moves bodies at rest too
+    if (!moves || !pushes_ || !passes(scratch_, ahead_, lo, hi)) return;
     leave(manifolds, points);
     out_.fast_pairs.emplace_back(lo, hi);
   }
