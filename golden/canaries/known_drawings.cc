@@ -40,7 +40,7 @@ constexpr std::array kDrawings = {
     Drawing{"light per vertex", render::Stage::kFinal, "vertex", {177, 197, 162, 178}},
 };
 
-render::Snapshot snapshot() {
+render::Snapshot drawn_snapshot() {
   render::Snapshot s;
   s.camera = {{3, -6, 3}, {0, 0, 1}, 50, 6, 2};
   s.light = {{4, -2, 9}, {0, 0, 0}};
@@ -76,7 +76,7 @@ std::array<int, 4> quarters(const render::Image& image) {
   return means;
 }
 
-std::string words_read() {
+std::string drawing_words() {
   std::string found;
   for (const char* list :
        {"all", "none", "shadow,bloom", "-dof,-motion", "vertex", "vertex,-shadow", "specular,-dof", "glow", ""}) {
@@ -118,14 +118,14 @@ std::string draw_all() {
   std::string lines;
   for (const Drawing& drawing : kDrawings) {
     (*renderer)->use(*render::parse_effects(drawing.effects));
-    const Result<render::Image> image = (*renderer)->draw(snapshot(), drawing.stage);
+    const Result<render::Image> image = (*renderer)->draw(drawn_snapshot(), drawing.stage);
     if (!image.ok()) return image.error().message;
     for (const int mean : quarters(*image)) lines += std::to_string(mean) + " ";
   }
   return lines;
 }
 
-bool alike(const std::string& line) {
+bool brightness_alike(const std::string& line) {
   std::istringstream numbers(line);
   for (const Drawing& drawing : kDrawings) {
     for (const int wanted : drawing.wanted) {
@@ -139,7 +139,7 @@ bool alike(const std::string& line) {
 }  // namespace
 
 std::vector<CanaryResult> run_known_drawings() {
-  const std::string words = words_read();
+  const std::string words = drawing_words();
   std::vector<CanaryResult> results = {
       {"words for effects, stages and sizes are read as they were", words == kWords, words}};
   // In a process of its own: the driver draws by threads, and later canaries fork.
@@ -147,7 +147,7 @@ std::vector<CanaryResult> run_known_drawings() {
       1, [](std::size_t) { return draw_all(); },
       [&results](std::size_t, const process::JobResult& child) {
         if (child.output == "none") return;
-        results.push_back({"stages, effects and markers are as bright as they were", alike(child.output),
+        results.push_back({"stages, effects and markers are as bright as they were", brightness_alike(child.output),
                            child.failure.empty() ? child.output : child.failure});
       },
       {});

@@ -83,13 +83,13 @@ std::string kinds_replaced(const fs::path& folder) {
   return refused.ok() ? "as known" : refused.error().message.substr(folder.string().size() + 4);
 }
 
-std::string read(const fs::path& path) {
+std::string file_read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
 // A file appears when it is complete, and only then; what a killed process left behind goes.
-std::string written(const fs::path& folder) {
+std::string file_written(const fs::path& folder) {
   const fs::path path = folder / "out", link = folder / "link", left = folder / "out.part-999999999-0",
                  other = folder / "out.part-x";
   for (const fs::path& file : {path, left, other}) {
@@ -103,15 +103,15 @@ std::string written(const fs::path& folder) {
     Result<files::OutputFile> file = files::OutputFile::create(link.string());
     if (!file.ok()) return file.error().message;
     if (!file->write("new").ok() || !file->write(std::string(70'000, 'x')).ok()) return "not written";
-    found += read(path) + " ";
+    found += file_read(path) + " ";
   }
-  found += read(path) + " ";  // not committed
+  found += file_read(path) + " ";  // not committed
   Result<files::OutputFile> file = files::OutputFile::create(link.string());
   if (!file.ok() || !file->write("news").ok() || !file->write_at(1, "EW").ok() || !file->commit().ok())
     return "not written";
   struct stat info = {};
   ::stat(path.c_str(), &info);
-  found += read(path) + (fs::is_symlink(link) ? " by its link, mode " : " as a file, mode ") +
+  found += file_read(path) + (fs::is_symlink(link) ? " by its link, mode " : " as a file, mode ") +
            std::to_string(info.st_mode & 0777U);
   found += fs::exists(left) ? ", a part is left" : ", no part is left";
   found += fs::exists(other) ? ", another's stays" : ", another's is gone";
@@ -123,7 +123,7 @@ std::string written(const fs::path& folder) {
   return found;
 }
 
-std::string locked(const fs::path& folder) {
+std::string folder_locked(const fs::path& folder) {
   std::string found;
   Result<files::FolderLock> first = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
   if (!first.ok()) return first.error().message;
@@ -144,7 +144,7 @@ std::string locked(const fs::path& folder) {
   return found + (again.ok() ? ", taken later" : ", never taken again");
 }
 
-std::string claimed(const fs::path& folder) {
+std::string folder_claimed(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder / "suite/case/deep", error);
   fs::create_directories(folder / "free/deep", error);
@@ -173,11 +173,11 @@ std::vector<CanaryResult> run_known_files() {
   known("the name of an output chooses its kind", kinds_by_name(), "0 1 2 3 4 5 6 7 9 10 11 ");
   known("an output replaces its own kind alone", kinds_replaced(folder),
         "/old: exists and is no PNG picture, so no earlier output; name another file, or remove it first");
-  known("a file appears when it is complete", written(folder),
+  known("a file appears when it is complete", file_written(folder),
         "old old news by its link, mode 416, no part is left, another's stays, : is a folder; name a file, : cannot be "
         "written: No such file or directory, a device");
-  known("a folder is one process's at a time", locked(folder), "refused, with the process, taken later");
-  known("a folder of outputs holds nothing that must stay", claimed(folder),
+  known("a folder is one process's at a time", folder_locked(folder), "refused, with the process, taken later");
+  known("a folder of outputs holds nothing that must stay", folder_claimed(folder),
         "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
   return results;
 }

@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // How a program of the shell ends, and what it wrote.
-std::string run(const fs::path& folder, const std::string& script, double timeout_s = 0,
-                const process::Cancel& cancel = {}) {
+std::string run_script(const fs::path& folder, const std::string& script, double timeout_s = 0,
+                       const process::Cancel& cancel = {}) {
   process::Program program;
   program.words = {"sh", "-c", script};
   program.folder = folder.string();
@@ -37,21 +37,21 @@ std::string run(const fs::path& folder, const std::string& script, double timeou
          (said.ok() && !said->empty() ? ": " + *said : "") + "; ";
 }
 
-std::string ends(const fs::path& folder) {
-  std::string found = run(folder, "printf \"$TUMBLE_MORE $TUMBLE_SET $TZ\"; test \"$HOME\" != 'not mine'");
-  found += run(folder, "printf err >&2; exit 3");
-  found += run(folder, "kill -TERM $$");
-  found += run(folder, "exit 139");
-  found += run(folder, "exit 255");
-  found += run(folder, "sleep 60", 0.05);
-  found += run(folder, "sleep 60", 0, [] { return true; });
+std::string script_ends(const fs::path& folder) {
+  std::string found = run_script(folder, "printf \"$TUMBLE_MORE $TUMBLE_SET $TZ\"; test \"$HOME\" != 'not mine'");
+  found += run_script(folder, "printf err >&2; exit 3");
+  found += run_script(folder, "kill -TERM $$");
+  found += run_script(folder, "exit 139");
+  found += run_script(folder, "exit 255");
+  found += run_script(folder, "sleep 60", 0.05);
+  found += run_script(folder, "sleep 60", 0, [] { return true; });
   process::Program nobody;
   nobody.words = {"tumble-no-such-program"};
   const Result<process::ChildEnd> none = process::run_child(nobody);
   return found + (none.ok() ? "started" : none.error().message);
 }
 
-std::string piped(const fs::path& folder) {
+std::string text_piped(const fs::path& folder) {
   process::ChildPipe pipe;
   const std::string place = (folder / "piped").string(), errors = (folder / "errors").string();
   if (const Status ok =
@@ -71,7 +71,7 @@ std::string piped(const fs::path& folder) {
          process::last_words("");
 }
 
-std::string pooled() {
+std::string jobs_pooled() {
   using namespace std::chrono_literals;
   std::string found;
   const auto done = [&found](std::size_t, const process::JobResult& job) { found += job.output + job.failure + "; "; };
@@ -101,14 +101,14 @@ std::vector<CanaryResult> run_known_processes() {
     results.push_back({name, found == wanted, found});
   };
   if (scratch.path().empty()) return {{"programs end as they ended", false, "no temporary folder could be made"}};
-  known("a program that ends is told by its end", ends(scratch.path()),
+  known("a program that ends is told by its end", script_ends(scratch.path()),
         "ended with status 0, well: more set UTC; ended with status 3: err; was ended by SIGTERM; was ended by "
         "SIGSEGV; ended with status 255; took too long; was ended by SIGTERM, stopped; tumble-no-such-program cannot "
         "be started: No such file or directory");
-  known("a program reads what is written to it", piped(scratch.path()),
+  known("a program reads what is written to it", text_piped(scratch.path()),
         "written, well: abcwhy\nfailed, a movie need tumble-no-such-program, which is not installed (Debian: apt-get "
         "install its-package): two, and it said nothing; is the disk full?");
-  known("a job that fails harms no other", pooled(),
+  known("a job that fails harms no other", jobs_pooled(),
         "job 0; job 1; job 2; ended with status 97 before it was done; took longer than 0 s; cancelled");
   return results;
 }

@@ -135,7 +135,7 @@ constexpr std::array kSlips = {
 };
 
 // What the program says of the scene.
-std::string told(const std::string& text) {
+std::string slip_text(const std::string& text) {
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, "slip.toml");
   if (!scene.ok()) return scene.error().message;
   Result<replay::Session> session = replay::Session::start(*scene);
@@ -153,7 +153,7 @@ std::vector<CanaryResult> run_known_refusals() {
   std::vector<CanaryResult> results;
   results.reserve(kSlips.size());
   for (const Slip& slip : kSlips) {
-    const std::string message = told(slip.scene != nullptr ? slip.scene : many_dots());
+    const std::string message = slip_text(slip.scene != nullptr ? slip.scene : many_dots());
     results.push_back({slip.name, message.starts_with(slip.message), message});
   }
   return results;

@@ -11,11 +11,11 @@
 namespace tumble::golden {
 namespace {
 
-CanaryResult known(const std::string& name, const std::string& found, std::string_view wanted) {
+CanaryResult known_scene(const std::string& name, const std::string& found, std::string_view wanted) {
   return {name, found == wanted, found};
 }
 
-std::string at(const sim::Vec3& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }
+std::string place_text(const sim::Vec3& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }
 
 // Names, camera and light of a scene that says nothing of them.
 constexpr std::string_view kUsual =
@@ -23,13 +23,13 @@ constexpr std::string_view kUsual =
 
 std::string view_of(const sim::SceneDef& scene) {
   const sim::Camera& camera = scene.camera;
-  return scene.name + ", " + scene.title + ", " + scene.category + ", camera " + at(camera.position) + " to " +
-         at(camera.target) + " fov " + exact(camera.fov) + " focus " + exact(camera.focus) + " blur " +
-         exact(camera.blur) + ", light " + at(scene.light.position) + " to " + at(scene.light.target);
+  return scene.name + ", " + scene.title + ", " + scene.category + ", camera " + place_text(camera.position) + " to " +
+         place_text(camera.target) + " fov " + exact(camera.fov) + " focus " + exact(camera.focus) + " blur " +
+         exact(camera.blur) + ", light " + place_text(scene.light.position) + " to " + place_text(scene.light.target);
 }
 
 // Sessions and metrics depend on the hash alone, pictures on the rest.
-std::string told(const sim::SceneDef& scene) {
+std::string scene_text(const sim::SceneDef& scene) {
   std::string text = to_string(scene_hash(scene)).substr(0, 16) + ", " + count_text(scene.boxes.size(), "body") + ", " +
                      count_text(scene.inputs.size(), "input");
   if (const std::string view = view_of(scene); view != kUsual) text += ", " + view;
@@ -39,9 +39,9 @@ std::string told(const sim::SceneDef& scene) {
   return text;
 }
 
-std::string read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::string read_scene(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, "a/known.toml", overrides);
-  return scene.ok() ? told(*scene) : scene.error().message;
+  return scene.ok() ? scene_text(*scene) : scene.error().message;
 }
 
 constexpr const char* kEveryKey = R"(name = "every.key-1"
@@ -133,38 +133,42 @@ target = [1, 2, 3]
 )";
 
 // Scenes and what is read from them: a table of each kind with no key and with every key.
-struct Known {
+struct KnownScene {
   const char* name;
   const char* scene;
   const char* wanted;
 };
 constexpr std::array kKnown = {
-    Known{"every key of a scene means what it meant", kEveryKey,
-          "c797b84fed88fd4d, 3 bodies, 8 inputs, every.key-1, every key, impact, camera 1 -20 9 to 2 1 3 fov 50 focus "
-          "12 blur 2, light 3 -4 30 to 1 2 3, textures 112"},
-    Known{"keys that a scene leaves out mean what they meant", "[[box]]\n", "a57d13e3a8dd46f9, 1 body, 0 inputs"},
-    Known{"a grid stands where it stood", "[[grid]]\n", "26785302db96d6e9, 400 bodies, 0 inputs"},
-    Known{"a grid of given keys stands where it stood",
-          "[[grid]]\nrows = 2\ncols = 3\npitch = 2\ntilt = 30\nbase = 1\nsize = [1, 0.5, 2]\nmass = 3\nfirst_id = 9\n"
-          "jitter = { position = 0.25, degrees = 10, seed = 5 }\nmaterial = { texture = \"white\" }\n",
-          "54bb1c2e05218da8, 6 bodies, 0 inputs, textures 444444"},
-    Known{"a tower stands where it stood", "[[tower]]\n", "e196e9e1d5cc4bcc, 10 bodies, 0 inputs"},
-    Known{"a tower of given keys stands where it stood",
-          "[[tower]]\ncount = 3\ntaper = 0.5\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\ndensity = 100\nfrozen = true\n",
-          "ee0393f987e36cd1, 3 bodies, 0 inputs"},
-    Known{"a pyramid stands where it stood", "[[pyramid]]\n", "3a0c0ee351f34135, 210 bodies, 0 inputs"},
-    Known{"a pyramid of given keys stands where it stood",
-          "[[pyramid]]\nbase = 3\nspacing = 2\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\n",
-          "624c562724023230, 6 bodies, 0 inputs"},
-    Known{"a wall stands where it stood", "[[wall]]\n", "d74d9d27e2fac83d, 221 bodies, 0 inputs"},
-    Known{"a wall of given keys stands where it stood",
-          "[[wall]]\ncourses = 3\nbricks = 2\nspacing = 3\nshift = 0.25\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\n",
-          "68e9168f78004d72, 6 bodies, 0 inputs"},
-    Known{"a pile stands where it stood", "[[pile]]\n", "3b01ebc0e67e6d9b, 512 bodies, 0 inputs"},
-    Known{"a pile of given keys stands where it stood",
-          "[[pile]]\ncount = [2, 3, 4]\npitch = 2\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\n",
-          "f04ba2cbdf6b5aad, 24 bodies, 0 inputs"},
-    Known{
+    KnownScene{
+        "every key of a scene means what it meant", kEveryKey,
+        "c797b84fed88fd4d, 3 bodies, 8 inputs, every.key-1, every key, impact, camera 1 -20 9 to 2 1 3 fov 50 focus "
+        "12 blur 2, light 3 -4 30 to 1 2 3, textures 112"},
+    KnownScene{"keys that a scene leaves out mean what they meant", "[[box]]\n", "a57d13e3a8dd46f9, 1 body, 0 inputs"},
+    KnownScene{"a grid stands where it stood", "[[grid]]\n", "26785302db96d6e9, 400 bodies, 0 inputs"},
+    KnownScene{
+        "a grid of given keys stands where it stood",
+        "[[grid]]\nrows = 2\ncols = 3\npitch = 2\ntilt = 30\nbase = 1\nsize = [1, 0.5, 2]\nmass = 3\nfirst_id = 9\n"
+        "jitter = { position = 0.25, degrees = 10, seed = 5 }\nmaterial = { texture = \"white\" }\n",
+        "54bb1c2e05218da8, 6 bodies, 0 inputs, textures 444444"},
+    KnownScene{"a tower stands where it stood", "[[tower]]\n", "e196e9e1d5cc4bcc, 10 bodies, 0 inputs"},
+    KnownScene{
+        "a tower of given keys stands where it stood",
+        "[[tower]]\ncount = 3\ntaper = 0.5\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\ndensity = 100\nfrozen = true\n",
+        "ee0393f987e36cd1, 3 bodies, 0 inputs"},
+    KnownScene{"a pyramid stands where it stood", "[[pyramid]]\n", "3a0c0ee351f34135, 210 bodies, 0 inputs"},
+    KnownScene{"a pyramid of given keys stands where it stood",
+               "[[pyramid]]\nbase = 3\nspacing = 2\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\n",
+               "624c562724023230, 6 bodies, 0 inputs"},
+    KnownScene{"a wall stands where it stood", "[[wall]]\n", "d74d9d27e2fac83d, 221 bodies, 0 inputs"},
+    KnownScene{
+        "a wall of given keys stands where it stood",
+        "[[wall]]\ncourses = 3\nbricks = 2\nspacing = 3\nshift = 0.25\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\n",
+        "68e9168f78004d72, 6 bodies, 0 inputs"},
+    KnownScene{"a pile stands where it stood", "[[pile]]\n", "3b01ebc0e67e6d9b, 512 bodies, 0 inputs"},
+    KnownScene{"a pile of given keys stands where it stood",
+               "[[pile]]\ncount = [2, 3, 4]\npitch = 2\nposition = [1, 2, 3]\nsize = [1, 2, 0.5]\n",
+               "f04ba2cbdf6b5aad, 24 bodies, 0 inputs"},
+    KnownScene{
         "boxes without an id take those that are free",
         "[[box]]\nposition = [1, 0, 1]\n[[box]]\nid = 1\nposition = [2, 0, 1]\n[[box]]\nid = 3\nposition = [3, 0, 1]\n"
         "[[tower]]\ncount = 2\n[[input]]\nkind = \"throw\"\nstep = 2\n[[tower]]\ncount = 2\nfirst_id = 20\n",
@@ -203,9 +207,10 @@ constexpr std::array kOverrides = {
 std::vector<CanaryResult> run_known_scenes() {
   std::vector<CanaryResult> results;
   results.reserve(kKnown.size() + kOverrides.size());
-  for (const Known& one : kKnown) results.push_back(known(one.name, read(one.scene), one.wanted));
+  for (const KnownScene& one : kKnown) results.push_back(known_scene(one.name, read_scene(one.scene), one.wanted));
   for (const Override& one : kOverrides) {
-    results.push_back(known(std::string("a scene with --set ") + one.set, read(kOverridden, {one.set}), one.wanted));
+    results.push_back(
+        known_scene(std::string("a scene with --set ") + one.set, read_scene(kOverridden, {one.set}), one.wanted));
   }
   return results;
 }

@@ -18,10 +18,10 @@ using sim::World;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-std::string told(const Status& status) { return status.ok() ? "taken" : status.error().message; }
+std::string status_text(const Status& status) { return status.ok() ? "taken" : status.error().message; }
 
 // A crate on the ground, one on it, a static box: enough for contacts, pairs and contact objects.
-sim::SceneDef crates(sim::Method method) {
+sim::SceneDef three_crates(sim::Method method) {
   sim::SceneDef scene;
   scene.world.method = method;
   scene.world.substeps = 2;
@@ -36,15 +36,15 @@ sim::SceneDef crates(sim::Method method) {
 }
 
 template <class Value>
-struct Wrong {
+struct WrongValue {
   const char* name;
   std::function<void(Value&)> spoil;
   const char* message;
 };
 
 // Scenes that no file can hold, since the reader of scenes refuses them: from a log, or by another program.
-const std::vector<Wrong<sim::SceneDef>>& scenes() {
-  static const std::vector<Wrong<sim::SceneDef>> kScenes = {
+const std::vector<WrongValue<sim::SceneDef>>& wrong_scenes() {
+  static const std::vector<WrongValue<sim::SceneDef>> kWrongScenes = {
       {"as it must be", [](auto&) {}, "taken"},
       {"two ids alike", [](auto& s) { s.boxes[1].id = 1; }, "body 1: ids must ascend and be unique"},
       {"ids descend", [](auto& s) { s.boxes[2].id = 1; }, "body 1: ids must ascend and be unique"},
@@ -89,27 +89,27 @@ const std::vector<Wrong<sim::SceneDef>>& scenes() {
       {"a ground of no friction", [](auto& s) { s.world.ground_material.friction = kNone; },
        "world: material out of range"},
   };
-  return kScenes;
+  return kWrongScenes;
 }
 
-struct Input {
+struct WrongInput {
   const char* name;
   sim::Command command;
   const char* message;
 };
 
-sim::BoxDef thrown(sim::BodyId id) {
+sim::BoxDef thrown_box(sim::BodyId id) {
   sim::BoxDef box;
   box.id = id;
   box.position = {9, 9, 9};
   return box;
 }
 
-const std::vector<Input>& inputs() {
-  static const std::vector<Input> kInputs = {
-      {"throw", sim::Throw{thrown(9)}, "taken"},
-      {"throw of an id that is taken", sim::Throw{thrown(2)}, "throw: found id 2 twice, wanted a new one"},
-      {"throw of id 0", sim::Throw{thrown(0)}, "body 0: found this id, wanted 1 … 2^53 − 1"},
+const std::vector<WrongInput>& wrong_inputs() {
+  static const std::vector<WrongInput> kWrongInputs = {
+      {"throw", sim::Throw{thrown_box(9)}, "taken"},
+      {"throw of an id that is taken", sim::Throw{thrown_box(2)}, "throw: found id 2 twice, wanted a new one"},
+      {"throw of id 0", sim::Throw{thrown_box(0)}, "body 0: found this id, wanted 1 … 2^53 − 1"},
       {"push", sim::Push{2, {1, 0, 0}, true, {}}, "taken"},
       {"push of nobody", sim::Push{8, {1, 0, 0}, true, {}},
        "push: found id 8, wanted the id of a body that exists at this step"},
@@ -135,12 +135,12 @@ const std::vector<Input>& inputs() {
       {"set_dt of 0", sim::SetDt{0}, "set_dt: found 0 s, wanted 1e-07 … 1 s"},
       {"set_dt of 2", sim::SetDt{2}, "set_dt: found 2 s, wanted 1e-07 … 1 s"},
   };
-  return kInputs;
+  return kWrongInputs;
 }
 
 // Snapshots that no session wrote.
-const std::vector<Wrong<sim::WorldState>>& snapshots() {
-  static const std::vector<Wrong<sim::WorldState>> kSnapshots = {
+const std::vector<WrongValue<sim::WorldState>>& wrong_snapshots() {
+  static const std::vector<WrongValue<sim::WorldState>> kWrongSnapshots = {
       {"as it must be", [](auto&) {}, "taken"},
       {"a column too short", [](auto& s) { s.bodies.friction.pop_back(); },
        "snapshot: the columns of the bodies differ in length"},
@@ -181,11 +181,11 @@ const std::vector<Wrong<sim::WorldState>>& snapshots() {
       {"contact memory of nobody", [](auto& s) { s.contact_memory.b[0] = 9; },
        "snapshot: contact memory 0 is out of range"},
   };
-  return kSnapshots;
+  return kWrongSnapshots;
 }
 
-const std::vector<Wrong<sim::Camera>>& cameras() {
-  static const std::vector<Wrong<sim::Camera>> kCameras = {
+const std::vector<WrongValue<sim::Camera>>& wrong_cameras() {
+  static const std::vector<WrongValue<sim::Camera>> kWrongCameras = {
       {"as it must be", [](auto&) {}, "taken"},
       {"a position beyond", [](auto& c) { c.position.y() = 1.1e6; },
        "camera position: found 0, 1100000, 2, wanted three coordinates up to 1e6 m"},
@@ -198,12 +198,12 @@ const std::vector<Wrong<sim::Camera>>& cameras() {
        "camera focus: found 0, wanted a number from 0.001 to 1000000"},
       {"a blur below 0", [](auto& c) { c.blur = -1; }, "camera blur: found -1, wanted a number from 0 to 100"},
   };
-  return kCameras;
+  return kWrongCameras;
 }
 
 // A copy of a world goes its own way, and both go the same one.
-std::string copied() {
-  Result<World> world = sim::create_world(crates(sim::Method::kLayered));
+std::string world_copied() {
+  Result<World> world = sim::create_world(three_crates(sim::Method::kLayered));
   if (!world.ok()) return world.error().message;
   if (const auto taken = sim::step(*world); !taken.ok()) return taken.error().message;
   World copy = *world, other = copy;
@@ -221,12 +221,12 @@ std::string copied() {
 }
 
 // A world says what it holds: of twice the bodies about twice as much, and none of it twice.
-std::string held() {
+std::string memory_held() {
   std::string found;
   for (const sim::Method method : {sim::Method::kThesis, sim::Method::kLayered}) {
     std::array<double, 2> per_body{};
     for (std::uint64_t k = 0; k < 2; ++k) {
-      sim::SceneDef scene = crates(method);
+      sim::SceneDef scene = three_crates(method);
       const std::uint64_t count = std::uint64_t{200} << k;
       for (std::uint64_t id = 4; id <= count; ++id) {
         scene.boxes.push_back(scene.boxes[1]);
@@ -249,20 +249,20 @@ std::string held() {
 
 // Asks for everything that is wrong; the first answer that is not the known one, "as known" if all are.
 template <class Value, class Take>
-std::string ask(const std::vector<Wrong<Value>>& all, const Value& good, Take take) {
-  for (const Wrong<Value>& one : all) {
+std::string ask_all(const std::vector<WrongValue<Value>>& all, const Value& good, Take take) {
+  for (const WrongValue<Value>& one : all) {
     Value value = good;
     one.spoil(value);
-    const std::string found = told(take(value));
+    const std::string found = status_text(take(value));
     if (found != one.message) return std::string(one.name) + ": " + found;
   }
   return "as known";
 }
 
-std::string ask(const World& world) {
-  for (const Input& input : inputs()) {
+std::string ask_all(const World& world) {
+  for (const WrongInput& input : wrong_inputs()) {
     World copy = world;
-    const std::string found = told(sim::apply(copy, input.command));
+    const std::string found = status_text(sim::apply(copy, input.command));
     if (found != input.message) return std::string(input.name) + ": " + found;
   }
   return "as known";
@@ -280,18 +280,18 @@ std::vector<CanaryResult> run_known_worlds() {
   const auto known = [&results](const char* name, const std::string& found, std::string_view wanted = "as known") {
     results.push_back({name, found == wanted, found});
   };
-  Result<World> world = sim::create_world(crates(sim::Method::kLayered));
-  if (!world.ok() || !sim::step(*world).ok()) return {{"a world is made", false, told(status_of(world))}};
-  known("scenes that no file can hold are refused", ask(scenes(), crates(sim::Method::kThesis), [](const auto& scene) {
-          return status_of(sim::create_world(scene));
-        }));
-  known("inputs that cannot be are refused", ask(*world));
+  Result<World> world = sim::create_world(three_crates(sim::Method::kLayered));
+  if (!world.ok() || !sim::step(*world).ok()) return {{"a world is made", false, status_text(status_of(world))}};
+  known("scenes that no file can hold are refused",
+        ask_all(wrong_scenes(), three_crates(sim::Method::kThesis),
+                [](const auto& scene) { return status_of(sim::create_world(scene)); }));
+  known("inputs that cannot be are refused", ask_all(*world));
   known("snapshots that no session wrote are refused",
-        ask(snapshots(), world->state(), [](const auto& state) { return status_of(World::restore(state)); }));
+        ask_all(wrong_snapshots(), world->state(), [](const auto& state) { return status_of(World::restore(state)); }));
   known("cameras that see nothing are refused",
-        ask(cameras(), sim::Camera{{0, -9, 2}, {0, 0, 1}, 50, 9, 1}, sim::check_camera));
-  known("a copy of a world goes its own way", copied(), "2 of 3, alike");
-  known("a world says how much memory it holds", held(), "likely likely ");
+        ask_all(wrong_cameras(), sim::Camera{{0, -9, 2}, {0, 0, 1}, 50, 9, 1}, sim::check_camera));
+  known("a copy of a world goes its own way", world_copied(), "2 of 3, alike");
+  known("a world says how much memory it holds", memory_held(), "likely likely ");
   return results;
 }
 

@@ -57,8 +57,9 @@ ToldWatch::ToldWatch(const LogHeader& header) {
 }
 
 void ToldWatch::add(std::uint64_t step, const Extras& extras) {
-  for (const auto& [index, name] : channels_) {
+  for (const auto& [index, told_name] : channels_) {
     const ChannelValues& values = extras.values(index);
+    const std::string& name = told_name;  // clang lets no lambda see a structured binding
     for (std::size_t row = 0; row < values.size(); ++row) {
       const double value = number_of(values.value(row, ChannelKind::kFloat64));
       const auto count = [&](Found& found) {

@@ -85,9 +85,9 @@ Result<BodyChoice> parse_bodies(const std::string& text, const BodyTable& named)
     for (const sim::BodyId id : ids) {
       if (as_ids && !(as_ids->first == id && as_ids->last == id)) {
         const std::string own = std::to_string(id);
-        return bad_input("bodies: found \"" + word + "\", the name of body " + own +
-                         " and an id or a range of ids too; wanted " + own + "-" + own +
-                         " for that body, or ranges, as 2-2, for the others");
+        std::string message = "bodies: found \"" + word + "\", the name of body " + own;
+        message.append(" and an id or a range of ids too; wanted ").append(own).append("-").append(own);
+        return bad_input(message + " for that body, or ranges, as 2-2, for the others");
       }
       choice.ids.push_back({id, id});
     }

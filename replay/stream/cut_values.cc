@@ -68,7 +68,7 @@ sim::Vec3 StreamBodies::within(std::uint64_t id, const Range& range, const sim::
 
 sim::Vec3 StreamBodies::gravity(const sim::Vec3& theirs) {
   const Range range = {"a gravity", " m/s²", "gravity", -sim::kGravityMax, sim::kGravityMax, 0};
-  const sim::Vec3 kept = within(0, range, axes_.length(theirs));
+  sim::Vec3 kept = within(0, range, axes_.length(theirs));
   plausible_.set_gravity(kept);
   return kept;
 }

@@ -61,7 +61,7 @@ class Cones {
 
   // Sets how the points slip where the centre slips by `d`, and the sum of impulse times slip.
   void slip(const Friction<V>& d) {
-    const V magic = grid_of(most_ * (magnitude(d.force1) + (magnitude(d.force2) + 2.0 * reach_ * magnitude(d.twist))));
+    const V magic = grid_of(most_ * ((magnitude(d.force1) + magnitude(d.force2)) + 2.0 * reach_ * magnitude(d.twist)));
     work_ = fastest_ = V{};
     for (unsigned k = 0; k < m_.batch->count; ++k) {
       const V along1 = slip1_[k] = d.force1 - d.twist * q(k), along2 = slip2_[k] = d.force2 + d.twist * p(k);
@@ -174,8 +174,9 @@ Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure,
     stop.force1 = flat ? stop.force1 : stop.force1 - x * stop.twist;
     stop.force2 = flat ? stop.force2 : stop.force2 - y * stop.twist;
     stop.twist = flat ? stop.twist : zero;
-    inverse = {{flat ? of[0] : of[0] - x * of[2], flat ? of[1] : of[1] - x * of[4], flat ? of[2] : zero,
-                flat ? of[3] : of[3] - y * of[4], flat ? of[4] : zero, of[5]}};
+    // t1 and t2 may change places: each product of two entries is one, whichever comes first.
+    inverse = {{flat ? of[0] : of[0] - x * of[2], flat ? of[1] : of[1] - per_twist * (of[2] * of[4]),
+                flat ? of[2] : zero, flat ? of[3] : of[3] - y * of[4], flat ? of[4] : zero, of[5]}};
   }
   // Without asking each point: none bears more than three quarters, and the friction is a quarter of the most.
   const V coefficient = m.get(m.batch->sliding) == one ? m.get(m.batch->friction_dynamic) : m.get(m.batch->friction);
