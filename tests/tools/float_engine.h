@@ -61,7 +61,7 @@ inline void record(const Workshop& shop, const std::string& name, const FloatEng
     s.position[2] = 3;
     const double half = angle / 2;
     s.orientation[0] = e.scalar_last ? std::sin(half) : std::cos(half);
-    s.orientation[e.scalar_last ? 0 : 1] = e.scalar_last ? std::sin(half) : std::sin(half);
+    s.orientation[e.scalar_last ? 0 : 1] = std::sin(half);
     if (e.scalar_last) s.orientation[3] = std::cos(half);
     s.velocity[1] = v * e.velocity_factor;
     s.spin[0] = e.spin * e.spin_factor;

@@ -119,13 +119,13 @@ TEST(HuntAnswers, AFolderIsJudgedByTheClaimsOfAnEngine) {
   EXPECT_TRUE(tells(none.err, "nothing was judged: no scene could be judged by what the engine claims: slope"));
 }
 
-// Of a scene that is known to change an angular momentum (docs/hunting.md).
+// Of a scene that is known to change a velocity (docs/hunting.md).
 TEST(HuntAnswers, AFoundValueHasTheUnitOfItsQuantity) {
   const Workshop shop;
-  shop.write("found/scene.toml", shop.run({"hunt", "--seed", "1", "--print", "5585"}).out);
+  shop.write("found/scene.toml", shop.run({"hunt", "--seed", "1", "--print", "6822"}).out);
   const Outcome run = shop.run({"hunt", "--judge", "found", "--relation", "unmet"});
-  EXPECT_TRUE(tells(run.out, "changed its angular momentum (kg·m²/s): ")) << run.out;
-  EXPECT_FALSE(tells(run.out, " m/s")) << run.out;
+  EXPECT_TRUE(tells(run.out, "changed its velocity (m/s): ")) << run.out;
+  EXPECT_FALSE(tells(run.out, "kg·m²/s")) << run.out;
 }
 
 }  // namespace

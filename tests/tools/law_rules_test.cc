@@ -22,7 +22,7 @@ void write_case(const Workshop& shop, const std::string& name, const std::string
 // A scene in which a body that meets nothing is pushed.
 TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
   const Workshop shop;
-  const std::string scene = std::string(TUMBLE_SOURCE_DIR) + "/tests/data/hunt_known/unmet_1_1595.toml";
+  const std::string scene = std::string(TUMBLE_SOURCE_DIR) + "/tests/data/hunt_known/unmet_1_6822.toml";
   ASSERT_EQ(
       shop.run_after("mkdir -p golden/cases/ghost; cp '" + scene + "' golden/cases/ghost/scene.toml; ", {"--version"})
           .exit,
@@ -30,7 +30,10 @@ TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
   write_case(shop, "ghost", "");
   ASSERT_EQ(shop.run({"bless", "ghost", "--reason", "as it was found"}).exit, 0);
   ASSERT_EQ(shop.run({"check", "ghost"}).exit, 0);
-  write_case(shop, "ghost", "[laws]\nunmet = true\n");
+  // The blessed values stay, so that nothing but the law can fail the case.
+  const std::string blessed = shop.read("golden/cases/ghost/metrics.toml");
+  shop.write("golden/cases/ghost/metrics.toml", "[laws]\nunmet = true\n" + blessed);
+  ASSERT_TRUE(holds(blessed, "value = ")) << blessed;
   const Outcome check = shop.run({"check", "ghost", "--report", "report", "--junit", "junit.xml", "--json"});
   EXPECT_EQ(check.exit, 1) << check.out << check.err;
   const Json json = Json::parse(check.out, nullptr, false);
@@ -52,9 +55,10 @@ TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
 
 TEST(LawRules, AreHeldOrNotJudged) {
   const Workshop shop;
-  shop.write("golden/cases/fall/scene.toml",
-             "title = \"a fall\"\ncategory = \"session\"\n[world]\nmethod = \"layered\"\ndt = 0.01\nsteps = 5\n[[box]]\n"
-             "position = [0.0, 0.0, 9.0]\n");
+  shop.write(
+      "golden/cases/fall/scene.toml",
+      "title = \"a fall\"\ncategory = \"session\"\n[world]\nmethod = \"layered\"\ndt = 0.01\nsteps = 5\n[[box]]\n"
+      "position = [0.0, 0.0, 9.0]\n");
   write_case(shop, "fall", "[laws]\nflight = true\nids = true\n");
   EXPECT_EQ(shop.run({"bless", "fall", "--reason", "new"}).exit, 0);
   const Outcome held = shop.run({"check", "fall", "--json"});
