@@ -32,7 +32,7 @@ TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
   ASSERT_EQ(shop.run({"check", "ghost"}).exit, 0);
   // The blessed values stay, so that nothing but the law can fail the case.
   const std::string blessed = shop.read("golden/cases/ghost/metrics.toml");
-  shop.write("golden/cases/ghost/metrics.toml", "[laws]\nunmet = true\n" + blessed);
+  shop.write("golden/cases/ghost/metrics.toml", blessed + "\n[laws]\nunmet = true\n");
   ASSERT_TRUE(holds(blessed, "value = ")) << blessed;
   const Outcome check = shop.run({"check", "ghost", "--report", "report", "--junit", "junit.xml", "--json"});
   EXPECT_EQ(check.exit, 1) << check.out << check.err;
