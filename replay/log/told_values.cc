@@ -42,6 +42,7 @@ bool is_told_name(std::string_view name) {
 
 std::vector<std::string> told_names() {
   std::vector<std::string> names;
+  names.reserve(kToldNames.size());
   for (const std::string_view name : kToldNames) names.push_back(std::string(kToldPrefix).append(name));
   return names;
 }

@@ -85,7 +85,8 @@ Result<BodyChoice> parse_bodies(const std::string& text, const BodyTable& named)
     for (const sim::BodyId id : ids) {
       if (as_ids && !(as_ids->first == id && as_ids->last == id)) {
         const std::string own = std::to_string(id);
-        std::string message = "bodies: found \"" + word + "\", the name of body " + own;
+        std::string message = "bodies: found \"";
+        message.append(word).append("\", the name of body ").append(own);
         message.append(" and an id or a range of ids too; wanted ").append(own).append("-").append(own);
         return bad_input(message + " for that body, or ranges, as 2-2, for the others");
       }
