@@ -58,7 +58,7 @@ std::string utf8_of(std::uint32_t code) {
 }
 
 CanaryResult known(const char* name, const std::string& found, std::string_view wanted) {
-  return {name, found == wanted, found};
+  return {name, found == wanted, found == wanted ? "as known" : found};
 }
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();

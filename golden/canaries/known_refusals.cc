@@ -154,7 +154,8 @@ std::vector<CanaryResult> run_known_refusals() {
   results.reserve(kSlips.size());
   for (const Slip& slip : kSlips) {
     const std::string message = slip_text(slip.scene != nullptr ? slip.scene : many_dots());
-    results.push_back({slip.name, message.starts_with(slip.message), message});
+    const bool known = message.starts_with(slip.message);
+    results.push_back({slip.name, known, known ? "as known" : message});
   }
   return results;
 }

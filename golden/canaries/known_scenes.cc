@@ -12,7 +12,7 @@ namespace tumble::golden {
 namespace {
 
 CanaryResult known_scene(const std::string& name, const std::string& found, std::string_view wanted) {
-  return {name, found == wanted, found};
+  return {name, found == wanted, found == wanted ? "as known" : found};
 }
 
 std::string place_text(const sim::Vec3& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }

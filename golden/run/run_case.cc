@@ -143,7 +143,8 @@ class CaseRunner {
                                  source_hash_, session->continuation,
                                  scene_text_,  session->cut_short};
     Judged judged = judge(*log, reference);
-    const bool repeats = run_.rules.engine && run_.rules.engine->repeat > 1 && !session->cut_short && session->failure.empty();
+    const bool repeats =
+        run_.rules.engine && run_.rules.engine->repeat > 1 && !session->cut_short && session->failure.empty();
     if (repeats && !judge_repeated(*log, reference, judged)) return;
     run_.incomplete = reason_to_stop(*session, *log, judged);
     run_.unable = !session->failure.empty();

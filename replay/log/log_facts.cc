@@ -4,8 +4,8 @@
 #include <set>
 #include <variant>
 
-#include "replay/log/told_values.h"
 #include "replay/log/session_clock.h"
+#include "replay/log/told_values.h"
 
 namespace tumble::replay {
 namespace {

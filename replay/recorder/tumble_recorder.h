@@ -17,9 +17,9 @@
  *   tumble_rec_close(rec);
  *
  * Lengths in the engine's unit, vectors in its axes (def.up, def.metres); times in s, angular velocity in rad/s about
- * world axes, orientations w, x, y, z. Every double is kept to the bit; numbers that are floats take 4 bytes. So is what
- * no world would hold, as a mass of -1 or a place that is NaN, which a table of `import` may not have: the log keeps it
- * beside a scene that is cut (docs/recorder_stream.md), and no golden is made of it.
+ * world axes, orientations w, x, y, z. Every double is kept to the bit; numbers that are floats take 4 bytes. So is
+ * what no world would hold, as a mass of -1 or a place that is NaN, which a table of `import` may not have: the log
+ * keeps it beside a scene that is cut (docs/recorder_stream.md), and no golden is made of it.
  *
  * What contradicts itself is TUMBLE_REC_BAD_CALL: a second state of a body or a second value of a channel and its
  * bodies in one step, a state, contact, value or input of a body that does not exist (not added, or removed), a contact

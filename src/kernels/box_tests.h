@@ -24,7 +24,7 @@ struct BoxTests {
   std::uint32_t a[kMost] = {}, b[kMost] = {};  ///< rows of frames; all kMost must exist
   alignas(64) double offset[3][kMost] = {};    ///< x_b − x_a, m
   Best faces_of_a, faces_of_b, edges;
-  Best all;                                                    ///< BoxPair::best_of_all
+  Best all;                                                   ///< BoxPair::best_of_all
   alignas(64) double second_of_a[kMost], second_of_b[kMost];  ///< BoxPair::second of both boxes' faces
   alignas(64) double apart_along_facelike[kMost];             ///< BoxPair::apart_along_facelike_edges, 1 or 0
 };

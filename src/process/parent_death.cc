@@ -23,7 +23,7 @@ void kill_own_group(int /*number*/) { ::kill(0, SIGKILL); }
 
 /// Runs in the guard, a copy of a process that may have had other threads: calls nothing but the system.
 [[noreturn]] void wait_for_parents_end(pid_t parent, pid_t group, const sigset_t& awaited) {
-  ::setpgid(0, 0);  // the end of our group, where we are a job of a pool, is not the guard's
+  ::setpgid(0, 0);               // the end of our group, where we are a job of a pool, is not the guard's
   ::close_range(0, INT_MAX, 0);  // a pipe that we hold open would never end for its reader
   ::prctl(PR_SET_PDEATHSIG, kParentEnded);
   int number = 0;

@@ -235,7 +235,13 @@ TEST(PhaseHashes, CoverMassesThatTurningRenews) {
   SceneDef scene = test::plates_and_bars(12, 5);
   scene.world.method = Method::kLayered;
   World world = test::made(scene);
-  for (int k = 0; k < 60; ++k) advance(world);
+  // Up to the first step in which a bar touches something.
+  const auto touches_next = [](World next) {
+    advance(next);
+    return std::ranges::any_of(next.scratch().contact_batches.batches, &ContactBatch::hard);
+  };
+  for (int k = 0; k < 300 && !touches_next(world); ++k) advance(world);
+  ASSERT_TRUE(touches_next(world));
   Changer changer({
       {"integrate_positions", "response", [=](World& w) { lane(hard(w).response[5]) += 1; }},
       {"integrate_positions", "mass",

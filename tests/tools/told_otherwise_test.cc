@@ -73,7 +73,8 @@ void import_session(const Workshop& shop, const std::string& name, const Told& t
 void make_case(const Workshop& shop) {
   shop.write("tumble.toml", "[engine]\nrun = '''cp '" + shop.path("s.tumblestream") + "' {log}'''\n");
   shop.write("golden/cases/fall/metrics.toml",
-             "[engine]\ntitle = \"falling\"\ncategory = \"toys\"\ninputs = \"inputs.txt\"\n[[metric]]\nname = \"drift_max\"\nmax = 1e9\n"
+             "[engine]\ntitle = \"falling\"\ncategory = \"toys\"\ninputs = \"inputs.txt\"\n[[metric]]\nname = "
+             "\"drift_max\"\nmax = 1e9\n"
              "why = \"a test\"\n");
   shop.write("golden/cases/fall/inputs.txt", "{}\n");
 }
