@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "src/world/manifold_hashes.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 #include "tumble/sim/step.h"
@@ -268,19 +267,6 @@ TEST(PhaseHashes, CoverWhatFallingAsleepWrites) {
     }
     EXPECT_EQ(world.bodies().frozen[0], 1);
   }
-}
-
-// Machines of the other byte order go field by field.
-TEST(PhaseHashes, RowsOfManifoldsAreTheirFields) {
-  SceneDef scene = test::tower(3);
-  scene.world.method = Method::kLayered;
-  World world = test::made(scene);
-  advance(world);
-  Hasher rows, fields;
-  hash_manifolds(world.scratch(), rows);
-  for (const Manifold& m : world.scratch().manifolds) add_fields(m, fields);
-  for (const ManifoldPoint& point : world.scratch().manifold_points) add_fields(point, fields);
-  EXPECT_EQ(rows.digest(), fields.digest());
 }
 
 // Manifolds are made once more when somebody wakes, by another phase than the one that makes them first.
