@@ -84,8 +84,10 @@ std::string broken_limit() {
 
 // The first count of bodies that is not the known one; shapes at the limit and one beyond it.
 std::string most_bodies() {
-  using namespace scenes;
-  const auto told = [](const Shape& shape) { return std::to_string(body_count(shape).value_or(0)) + " "; };
+  using scenes::GridShape, scenes::PileShape, scenes::PyramidShape, scenes::TowerShape, scenes::WallShape;
+  const auto told = [](const scenes::Shape& shape) {
+    return std::to_string(scenes::body_count(shape).value_or(0)) + " ";
+  };
   const std::string counts = told(GridShape{2000, 2000}) + told(GridShape{2000, 2001}) + told(TowerShape{4'000'000}) +
                              told(PyramidShape{2827}) + told(PyramidShape{2828}) + told(WallShape{2000, 2000}) +
                              told(WallShape{2001, 2000}) + told(PileShape{100, 200, 200}) +
