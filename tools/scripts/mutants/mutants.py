@@ -189,13 +189,13 @@ class Judge:
 
     def check(self, cases):
         return quiet([str(self.program), "check", *cases, "--jobs", str(self.options.jobs)], self.work / "check.log",
-                     self.tree, 1800)
+                     self.tree, 600)
 
     def moves_bits(self):
         """Whether 1,000 scenes have other bits than without the mutant."""
         status = quiet([str(self.program), "hunt", "--count", "1000", "--unshrunk", "--relation", "repeat", "--against",
                         str(self.good), "--json", "--threads", str(self.options.jobs)], self.work / "against.json",
-                       self.tree, 1800)
+                       self.tree, 600)
         return status != 0
 
     def judge(self, row):
