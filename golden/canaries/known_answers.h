@@ -23,7 +23,7 @@ std::vector<CanaryResult> run_known_limits();
 /// How outputs are written, replaced and guarded.
 std::vector<CanaryResult> run_known_files();
 
-/// How programs and jobs end.
+/// How programs and jobs end; programs where the machine has a shell at its usual place.
 std::vector<CanaryResult> run_known_processes();
 
 /// Stages, effects and markers of a small picture; none where the machine has no OpenGL.

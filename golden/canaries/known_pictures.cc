@@ -1,4 +1,3 @@
-#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,9 +8,7 @@
 #include "src/render/picture/image_difference.h"
 #include "src/render/scene/box_mesh.h"
 #include "src/render/scene/camera_moves.h"
-#include "src/render/scene/hull_faces.h"
 #include "src/render/scene/material_texels.h"
-#include "src/render/scene/materials.h"
 #include "src/render/scene/solid.h"
 #include "src/render/scene/view.h"
 #include "tumble/render/png.h"
@@ -128,7 +125,6 @@ std::string all_instances() {
     box.orientation = sim::normalised({id == 2 ? -1.0 : 1.0, 0.5, 0, 0.25});
     if (id != 1) after.boxes.push_back(box);
   }
-  Hasher hasher;
   const render::Snapshot half = render::between(before, after, 0.25, 0.5);
   std::string found;
   for (const render::BoxInstance& one : render::instances_of(half.boxes, render::camera_view(half.camera, 400, 300))) {
