@@ -55,6 +55,15 @@ TEST_F(SmallSuite, PassesWithStatusZeroAndLeavesAReport) {
   }
 }
 
+// A service starts without HOME and with another PATH; the folder for temporary files may be called anything.
+TEST_F(SmallSuite, CatchesItsCanariesInAnySurroundings) {
+  for (const char* before : {"unset HOME; ", "PATH=/nowhere; export PATH; ",
+                             "mkdir -p \"it's one\"; TMPDIR=\"$PWD/it's one\"; export TMPDIR; "}) {
+    const Outcome outcome = shop_.run_after(before, {"check", "--suite", "s", "--report", "r"});
+    EXPECT_EQ(outcome.exit, 0) << before << outcome.out << outcome.err;
+  }
+}
+
 TEST_F(SmallSuite, AnnotatesFailuresForCiServicesInOneLineEach) {
   EXPECT_EQ(check({"--annotate", "github"}).out.find("::error"), std::string::npos);
   EXPECT_EQ(check({"--annotate", "gitlab"}).exit, 0);
