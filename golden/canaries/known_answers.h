@@ -36,7 +36,7 @@ std::vector<CanaryResult> run_known_pictures();
 std::vector<CanaryResult> run_known_worlds();
 
 /// Small sessions computed in two ways that must agree to the bit: with lanes of every width of this machine, by
-/// threads, step by step from snapshots, and through a log.
+/// threads, step by step from snapshots, and through a log. And two sessions that are not within bounds of one another.
 std::vector<CanaryResult> run_known_sessions();
 
 }  // namespace tumble::golden

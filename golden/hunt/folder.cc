@@ -23,6 +23,7 @@ HuntState state_from(const Json& json) {
   state.grammar = json.at("grammar");
   state.program = json.at("program");
   state.against = json.at("against");
+  state.within = json.value("within", std::vector<std::string>{});
   state.engine = json.value("engine", "");
   state.engine_hash = json.value("engine_hash", "");
   state.claimed = json.value("claimed", std::vector<std::string>{});
@@ -54,6 +55,12 @@ std::string fault_of_counts(const HuntState& state) {
            std::to_string(listed);
   }
   return "";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
 }
 
 }  // namespace
@@ -101,6 +108,7 @@ Json to_json(const HuntState& state) {
                {"scenes", state.next},
                {"no_scenes", state.no_scenes},
                {"refused", state.refused}};
+  if (!state.within.empty()) json["within"] = state.within;
   if (state.refused > 0) json["refusal"] = state.refusal;
   if (!state.engine.empty()) {
     json["engine"] = state.engine;
@@ -146,16 +154,17 @@ Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::stri
   if (Status ok = differs("grammar", std::to_string(kept.grammar), std::to_string(wanted.grammar)); !ok.ok()) return ok;
   if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
   if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
+  if (Status ok = differs("--within", joined(kept.within), joined(wanted.within)); !ok.ok()) return ok;
   if (Status ok = differs("engine", kept.engine, wanted.engine); !ok.ok()) return ok;
   if (Status ok = differs(kept.against.empty() ? "build of the engine (its files' hash)"
                                                : "build of the other program (its files' hash)",
                           kept.engine_hash, wanted.engine_hash);
       !ok.ok())
     return ok;
-  std::string found, want;
-  for (const auto& row : kept.relations) found += (found.empty() ? "" : " ") + row.first;
-  for (const auto& row : wanted.relations) want += (want.empty() ? "" : " ") + row.first;
-  return differs("set of relations", found, want);
+  std::vector<std::string> found, want;
+  for (const auto& row : kept.relations) found.push_back(row.first);
+  for (const auto& row : wanted.relations) want.push_back(row.first);
+  return differs("set of relations", joined(found), joined(want));
 }
 
 Result<HuntState> Folder::load() const {

@@ -44,6 +44,7 @@ struct HuntState {
   std::uint32_t grammar = 0;
   std::string program;  ///< version and commit
   std::string against;
+  std::vector<std::string> within;     ///< to_text() of its bounds; empty: bits are compared
   std::string engine;                  ///< the command of the engine; empty: this program is judged
   std::string engine_hash;             ///< of the engine's files, or of those of `against`; empty: neither is asked
   std::vector<std::string> claimed;    ///< relations that the engine claims

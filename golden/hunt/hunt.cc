@@ -261,6 +261,7 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
   fresh.program = program.version + " " + (program.commit.empty() ? "commit not known" : program.commit);
   if (program.tree == "changed") fresh.program += " (sources changed since)";
   fresh.against = options.question.against;
+  for (const ApartBound& bound : options.question.within) fresh.within.push_back(to_text(bound));
   if (options.question.engine) {
     fresh.engine = options.question.engine->run;
     fresh.engine_hash = golden::engine_hash(*options.question.engine);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "golden/engine/project.h"
+#include "golden/hunt/apart/apart_bounds.h"
 #include "golden/hunt/judge/relation.h"
 #include "golden/hunt/scene/scene_text.h"
 #include "golden/hunt/shrink/shrink.h"
@@ -17,14 +18,15 @@ namespace tumble::hunt {
 /// What scenes are judged by.
 struct Question {
   std::vector<std::string> only;  ///< names of relations; empty: all
-  std::string against;            ///< another build of tumble, whose sessions must have the same bits; empty: none
+  std::string against;            ///< another build of tumble, whose sessions are compared; empty: none
+  std::vector<ApartBound> within;  ///< how far measures of these may be apart; empty: every bit must agree
   std::optional<golden::EngineProject> engine;  ///< whose sessions are judged; none: those of this program
   std::filesystem::path scratch;  ///< where other programs get folders of their own; empty: the system's place
   std::filesystem::path runs;  ///< where runs of an engine that broke something are set aside, by the scene's number;
                                ///< empty: nowhere
 };
 
-/// The name of the relation that `against` adds.
+/// The name of the relation that `against` adds; each of `within` adds relation_of() it too.
 inline constexpr const char* kAgainst = "against";
 
 /// Errors (kBadInput): a name that no relation has, or one that says nothing about an engine; an engine that is handed

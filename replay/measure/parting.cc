@@ -9,15 +9,8 @@
 #include "tumble/sim/vec.h"
 
 namespace tumble::replay {
-namespace {
-
-struct Farthest {
-  double distance = 0;  // m
-  sim::BodyId body = 0;
-};
-
-/// Walks both states by ascending id.
-Farthest farthest(const BodyStates& a, const BodyStates& b) {
+// Walks both states by ascending id.
+Farthest farthest_apart(const BodyStates& a, const BodyStates& b) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Farthest found;
   const auto take = [&](sim::BodyId body, double distance) {
@@ -38,8 +31,6 @@ Farthest farthest(const BodyStates& a, const BodyStates& b) {
   }
   return found;
 }
-
-}  // namespace
 
 std::optional<double> parse_parting_metric(std::string_view name) {
   constexpr std::string_view kPrefix = "parting_time.";
@@ -70,7 +61,7 @@ Status PartingMeter::add(const StepRecord& record) {
   }
   const Result<const StepRecord*> other = source_->read(record.step);
   if (!other.ok()) return other.error();
-  const Farthest found = farthest((*other)->states, record.states);
+  const Farthest found = farthest_apart((*other)->states, record.states);
   for (Parting& parting : partings_) {
     if (parting.parted) continue;
     parting.parted = found.distance > parting.beyond;

@@ -24,6 +24,13 @@ struct Parting {
   sim::BodyId body = 0;    ///< the first body that is so far away; 0: none
 };
 
+/// The body whose places in two states are farthest apart.
+struct Farthest {
+  double distance = 0;   ///< m; infinite where only one state has the body, or a place is no number
+  sim::BodyId body = 0;  ///< the first of them; 0: none is apart
+};
+Farthest farthest_apart(const BodyStates& a, const BodyStates& b);
+
 /// The distance of "parting_time.0.01"; none where a text is no such name.
 std::optional<double> parse_parting_metric(std::string_view name);
 

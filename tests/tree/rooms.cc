@@ -97,13 +97,14 @@ std::vector<Room> suite() {
   return {
       {"golden/hunt/scene", kModel + Folders{"src/scenes"}},
       {"golden/hunt/judge", logs + Folders{"golden/hunt/scene"}},
+      {"golden/hunt/apart", logs + Folders{"golden/hunt/judge"}},
       {"golden/suite", logs + Folders{"src/render/picture", "golden/hunt/judge"}},
       {"golden/expected", logs},
       {"golden/judge", parts + Folders{"replay/import"}},
       {"golden/engine", logs + engine},
       {"golden/hunt/engine", parts + Folders{"golden/engine", "src/process", "golden/hunt/scene", "golden/hunt/judge"}},
       {"golden/run", run + Folders{"golden/engine", "golden/hunt/scene", "golden/hunt/judge", "golden/hunt/engine"}},
-      {"golden/canaries", above + Folders{"golden/hunt/scene", "golden/hunt/judge", "src/render/scene", "src/render/gl",
+      {"golden/canaries", above + Folders{"golden/hunt/scene", "golden/hunt/judge", "golden/hunt/apart", "src/render/scene", "src/render/gl",
                                           "src/render/passes"}},
       {"golden/report/page", {}},
       {"golden/bundle", above},
@@ -111,7 +112,8 @@ std::vector<Room> suite() {
       {"golden/bless", above},
       {"golden/hunt/shrink", logs + Folders{"golden/hunt/scene", "golden/hunt/judge"}},
       {"golden/hunt", parts + Folders{"src/process", "golden/engine", "golden/bundle", "golden/hunt/scene",
-                                      "golden/hunt/judge", "golden/hunt/engine", "golden/hunt/shrink"}},
+                                      "golden/hunt/judge", "golden/hunt/apart", "golden/hunt/engine",
+                                      "golden/hunt/shrink"}},
       {"golden", above + Folders{"golden/canaries", "golden/bundle", "golden/report", "golden/bless"}},
   };
 }
@@ -126,7 +128,7 @@ std::vector<Room> program() {
                      "golden/judge",       "golden/engine",  "golden/run",        "golden/canaries",
                      "golden/report",      "golden/bless",   "golden/bundle",     "golden",
                      "src/files",          "src/process",    "golden/hunt/scene", "golden/hunt/judge",
-                     "golden/hunt/shrink", "golden/hunt"};
+                     "golden/hunt/apart",  "golden/hunt/shrink", "golden/hunt"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

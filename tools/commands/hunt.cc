@@ -34,7 +34,7 @@ constexpr std::uint64_t kHuntsAtOnceMax = 256;
 struct HuntCommand {
   std::optional<std::uint64_t> seed, count, threads, print, shrink;
   std::optional<double> time;
-  std::vector<std::string> relations;
+  std::vector<std::string> relations, within;
   std::string against, shard;
   std::string folder, corpus, judge;
   bool engine = false;
@@ -82,6 +82,11 @@ Result<hunt::HuntOptions> hunt_options(const HuntCommand& options) {
     if (Status ok = check_against(options.against); !ok.ok()) return ok.error();
   }
   out.question.against = options.against;
+  Result<std::vector<hunt::ApartBound>> within = hunt::read_bounds(options.within);
+  if (!within.ok()) return within.error();
+  if (!options.within.empty() && options.against.empty())
+    return bad_input("--within: found no --against, wanted the build whose sessions are compared");
+  out.question.within = *std::move(within);
   out.folder = options.folder;
   out.shrunk_most = options.unshrunk ? 0 : options.shrink.value_or(out.shrunk_most);
   out.corpus = options.corpus;
@@ -193,9 +198,14 @@ Action declare_hunt(Arguments& arguments) {
                                              "Judge by this relation or law alone; may be repeated; all if not given");
   const Argument against = arguments.option("--against", "PROGRAM", options->against,
                                             "Another build of tumble: every session must have the same bits there");
+  const Argument within = arguments.option(
+      "--within", "BOUND", options->within,
+      "How far sessions of --against may be apart: bits (not at all, if not given), bounds (the usual "
+      "bounds, which --relations lists), or METRIC=AMOUNT, as in gain_max=0.1, 5% or 0.1+5%; may be repeated");
   const Argument engine = arguments.flag(
       "--engine", options->engine,
       "Judge the engine of the nearest tumble.toml; what its [engine.claims] lacks is measured and no failure");
+  within.excludes(engine);
   const Argument folder = arguments.option("--folder", "DIR", options->folder,
                                            "Keep the hunt in this folder, and go on with the hunt that it holds");
   const Argument corpus = arguments.option("--corpus", "DIR", options->corpus,
@@ -219,7 +229,7 @@ Action declare_hunt(Arguments& arguments) {
   // What would be left aside without a word.
   for (const Argument& other : {seed, count, time, shard, folder, corpus, merge, print, unshrunk, shrink})
     judge.excludes(other);
-  for (const Argument& other : {seed, count, time, shard, relation, against, engine, print, unshrunk, shrink})
+  for (const Argument& other : {seed, count, time, shard, relation, against, within, engine, print, unshrunk, shrink})
     merge.excludes(other);
   arguments.json(options->json);
   arguments.footer(
@@ -231,6 +241,7 @@ Action declare_hunt(Arguments& arguments) {
       "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
       "  tumble hunt --seed 7 --print 123 >scene.toml\n"
       "  tumble hunt --count 500 --against old/tumble\n"
+      "  tumble hunt --count 500 --against old/tumble --within bounds --within overlap_peak=0.01+10%\n"
       "  tumble hunt --time 60 --corpus corpus && tumble hunt --judge corpus\n"
       "  tumble hunt --count 20000 --shard 1/4 --folder hunt-1\n"
       "  tumble hunt --merge hunt-1 --merge hunt-2 --merge hunt-3 --merge hunt-4 --folder hunt");

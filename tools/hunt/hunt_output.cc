@@ -4,7 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "golden/hunt/apart/apart_bounds.h"
 #include "golden/hunt/judge/relation.h"
+#include "golden/hunt/judge_scene.h"
 
 namespace tumble::tools {
 namespace {
@@ -145,6 +147,7 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
   if (state.share.shards > 1) std::cout << ", shard " << state.share.shard << " of " << state.share.shards;
   if (!state.against.empty()) std::cout << ", against " << state.against;
+  for (std::size_t k = 0; k < state.within.size(); ++k) std::cout << (k == 0 ? " within " : " ") << state.within[k];
   if (!state.engine.empty()) std::cout << ", of the engine `" << printable(state.engine) << '`';
   if (state.no_scenes > 0) std::cout << "; no world could be made of " << state.no_scenes;
   if (state.refused > 0) std::cout << "; the engine refused " << state.refused << ", " << printable(state.refusal);
@@ -170,9 +173,21 @@ void print_corpus(const hunt::CorpusResult& result) {
   print_claims_not_judged(result.relations, result.claimed);
 }
 
+namespace {
+
+std::string claim_of(const hunt::ApartBound& bound) {
+  const std::string unit = unit_of(bound);
+  std::string text = "--within bounds: " + to_text(bound) + (bound.amount > 0 && !unit.empty() ? " (" + unit + ")" : "");
+  return text + (bound.measure == hunt::kPlace ? ", before the first contact" : "");
+}
+
+}  // namespace
+
 void print_relations() {
   Table table({"NAME", "CLAIM"});
   for (const hunt::Relation& one : hunt::relations()) table.add({one.name, one.claim});
+  table.add({hunt::kAgainst, "--against PROGRAM computes the same bits; with --within: takes the scene to its end too"});
+  for (const hunt::ApartBound& bound : hunt::usual_bounds()) table.add({relation_of(bound), claim_of(bound)});
   table.print();
 }
 
@@ -181,6 +196,8 @@ Json relations_json() {
   for (const hunt::Relation& one : hunt::relations()) {
     json.push_back({{"name", one.name}, {"claim", one.claim}, {"kind", one.is_law ? "law" : "relation"}});
   }
+  for (const hunt::ApartBound& bound : hunt::usual_bounds())
+    json.push_back({{"name", relation_of(bound)}, {"claim", claim_of(bound)}, {"kind", "bound"}});
   return json;
 }
 

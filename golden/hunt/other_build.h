@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "golden/hunt/apart/session_pair.h"
+#include "golden/hunt/judge_scene.h"
+#include "golden/suite/temporary_folder.h"
+#include "tumble/replay/log_reader.h"
+
+namespace tumble::hunt {
+
+/// The session of a scene by the build of Question::against, recorded when it is first judged and only once.
+class OtherBuild {
+ public:
+  /// All outlive this. The trace is of the scene.
+  OtherBuild(const Question& question, const Trace& trace, const TextScene& scene)
+      : question_(question), trace_(trace), scene_(scene) {}
+
+  /// kAgainst: every state has the same bits, or with bounds: the other build takes the scene to its last step too.
+  /// relation_of() a bound: its measure is within it; not applicable where there is no whole session.
+  Judgement judge(const std::string& relation);
+
+ private:
+  Judgement judge_session();
+  Judgement record();
+  Judgement compare_bits();
+  Judgement read_records();
+  [[nodiscard]] Judgement judge_measure(const ApartBound& bound) const;
+
+  const Question& question_;
+  const Trace& trace_;
+  const TextScene& scene_;
+  std::unique_ptr<golden::TemporaryFolder> folder_;  // goes after the log
+  std::optional<replay::LogReader> log_;
+  std::optional<Judgement> session_;  // of kAgainst
+  std::optional<SessionPair> pair_;   // none: the sessions have the same bits
+};
+
+}  // namespace tumble::hunt

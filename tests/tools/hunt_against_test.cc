@@ -1,0 +1,107 @@
+// `tumble hunt --against PROGRAM --within`: two builds whose bits differ on purpose.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+bool tells(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Another build, which sets one value of every scene otherwise.
+class HuntAgainst : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string build(const std::string& set) const {
+    shop_.write("other.sh", "#!/bin/sh\nexec " TUMBLE_PROGRAM " \"$@\" " + set + "\n");
+    std::filesystem::permissions(shop_.path("other.sh"), std::filesystem::perms::owner_all);
+    return shop_.path("other.sh");
+  }
+  [[nodiscard]] Outcome hunt(const std::string& other, const Words& more) const {
+    Words words = {"hunt", "--seed", "2", "--count", "10", "--relation", "finishes", "--against", other};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop_.run(words);
+  }
+
+  Workshop shop_;
+};
+
+TEST_F(HuntAgainst, ABuildIsWithinTheUsualBoundsOfItself) {
+  const Outcome run = hunt(TUMBLE_PROGRAM, {"--within", "bounds", "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err << run.out;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json.at("within").at(0), "place=1e-06");
+  for (const char* name : {"against", "against_place", "against_lost", "against_overlap_peak"})
+    EXPECT_EQ(json.at("relations").at(name).at("held"), 10) << name;
+}
+
+TEST_F(HuntAgainst, OtherBitsWithinBoundsAreNoFinding) {
+  const std::string other = build("--set 'world.gravity=[0,0,-9.8]'");
+  EXPECT_EQ(hunt(other, {"--unshrunk"}).exit, 1) << "bits";
+  const Outcome wide = hunt(other, {"--within", "place=1", "--within", "lost=0"});
+  EXPECT_EQ(wide.exit, 0) << wide.out;
+  EXPECT_TRUE(tells(wide.out, " within place=1 lost=0\n")) << wide.out;
+}
+
+TEST_F(HuntAgainst, BeyondABoundIsShrunkAndNamed) {
+  const std::string other = build("--set 'world.gravity=[0,0,-9.8]'");
+  const Outcome run = hunt(other, {"--within", "place=1e-4", "--folder", "kept"});
+  ASSERT_EQ(run.exit, 1) << run.err << run.out;
+  const Json json = Json::parse(shop_.read("kept/hunt.json"));
+  ASSERT_FALSE(json.at("findings").empty());
+  const Json& one = json.at("findings").at(0);
+  EXPECT_EQ(one.at("relation"), "against_place");
+  EXPECT_EQ(one.at("shrunk").at("bodies"), 1);
+  EXPECT_GE(one.at("shrunk").at("found").at("step"), 1);
+  EXPECT_GE(one.at("shrunk").at("found").at("body"), 1);
+  EXPECT_EQ(one.at("shrunk").at("found").at("bound"), 1e-4);
+  EXPECT_TRUE(tells(run.out, "before anything met, its place is ")) << run.out;
+  EXPECT_TRUE(tells(run.out, ", allowed 0.0001 m")) << run.out;
+  EXPECT_TRUE(tells(shop_.read("kept/cases/" + one.at("name").get<std::string>() + "/metrics.toml"), "No rule judges"));
+  // A hunt with other bounds is another hunt.
+  const Outcome others = hunt(other, {"--within", "place=1e-5", "--folder", "kept"});
+  EXPECT_EQ(others.exit, 2);
+  EXPECT_TRUE(tells(others.err, "another --within: found place=0.0001")) << others.err;
+}
+
+TEST_F(HuntAgainst, AMetricIsNamedWithBothValues) {
+  const Outcome run = hunt(build("--set 'world.gravity=[0,0,-5]'"), {"--within", "final=1%", "--unshrunk"});
+  ASSERT_EQ(run.exit, 1) << run.err << run.out;
+  EXPECT_TRUE(tells(run.out, "final is ")) << run.out;
+  EXPECT_TRUE(tells(run.out, " J here and ")) << run.out;
+}
+
+TEST_F(HuntAgainst, ASessionOfAnotherLengthIsOneFinding) {
+  const Outcome run = hunt(build("--set world.steps=3"), {"--within", "bounds", "--unshrunk", "--json"});
+  ASSERT_EQ(run.exit, 1) << run.err << run.out;
+  const Json relations = Json::parse(run.out).at("relations");
+  EXPECT_GT(relations.at("against").at("broken"), 5);
+  EXPECT_EQ(relations.at("against_lost").at("broken"), 0);
+  EXPECT_EQ(relations.at("against_lost").at("not_applicable"), relations.at("against").at("broken"));
+  EXPECT_TRUE(tells(run.out, "ends with step 3, this one with ")) << run.out;
+}
+
+TEST_F(HuntAgainst, RefusesWhatIsNoBound) {
+  const Outcome near = hunt(TUMBLE_PROGRAM, {"--within", "gain_mx=1"});
+  EXPECT_EQ(near.exit, 2);
+  EXPECT_TRUE(tells(near.err, "did you mean \"gain_max\"?")) << near.err;
+  const Outcome sign = hunt(TUMBLE_PROGRAM, {"--within", "gain_max=-1"});
+  EXPECT_EQ(sign.exit, 2);
+  EXPECT_TRUE(tells(sign.err, "--within: gain_max: found \"-1\", wanted an amount")) << sign.err;
+  EXPECT_EQ(hunt(TUMBLE_PROGRAM, {"--within", "bits", "--within", "bounds"}).exit, 2);
+  const Outcome alone = shop_.run({"hunt", "--count", "1", "--within", "bounds"});
+  EXPECT_EQ(alone.exit, 2);
+  EXPECT_TRUE(tells(alone.err, "found no --against")) << alone.err;
+  EXPECT_EQ(shop_.run({"hunt", "--count", "1", "--engine", "--within", "bounds"}).exit, 2);
+  EXPECT_TRUE(tells(shop_.run({"hunt", "--relations"}).out, "overlap_peak=0.02+50% (m)"));
+}
+
+}  // namespace
+}  // namespace tumble::test
