@@ -34,6 +34,7 @@ CanaryResult judge_pair() {
   sim::SceneDef scene;
   scene.steps = 8;
   scene.boxes.resize(1);
+  scene.boxes[0].id = 1;
   scene.boxes[0].position = {0, 0, 4};
   const Result<hunt::Trace> trace = hunt::trace(scene);
   if (!trace.ok()) {
