@@ -17,9 +17,9 @@ namespace tumble::hunt {
 
 /// What scenes are judged by.
 struct Question {
-  std::vector<std::string> only;  ///< names of relations; empty: all
-  std::string against;            ///< another build of tumble, whose sessions are compared; empty: none
-  std::vector<ApartBound> within;  ///< how far measures of these may be apart; empty: every bit must agree
+  std::vector<std::string> only;                ///< names of relations; empty: all
+  std::string against;                          ///< another build of tumble, whose sessions are compared; empty: none
+  std::vector<ApartBound> within;               ///< how far measures of these may be apart; empty: every bit must agree
   std::optional<golden::EngineProject> engine;  ///< whose sessions are judged; none: those of this program
   std::filesystem::path scratch;  ///< where other programs get folders of their own; empty: the system's place
   std::filesystem::path runs;  ///< where runs of an engine that broke something are set aside, by the scene's number;

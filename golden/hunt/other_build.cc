@@ -100,8 +100,6 @@ Judgement OtherBuild::read_records() {
   return held();
 }
 
-Judgement OtherBuild::judge_measure(const ApartBound& bound) const {
-  return pair_ ? pair_->judge(bound) : held();
-}
+Judgement OtherBuild::judge_measure(const ApartBound& bound) const { return pair_ ? pair_->judge(bound) : held(); }
 
 }  // namespace tumble::hunt

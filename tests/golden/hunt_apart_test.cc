@@ -17,8 +17,8 @@ using hunt::SessionPair;
 
 // A box that falls 0.3 m at 2 m/s and slides.
 std::string sliding(const char* friction, const char* x = "0.0") {
-  return std::string("[world]\nsteps = 60\n[material]\nfriction = ") + friction + "\n[[box]]\nid = 4\nposition = [" + x +
-         ", 0.0, 0.8]\nvelocity = [2.0, 0.0, 0.0]\n";
+  return std::string("[world]\nsteps = 60\n[material]\nfriction = ") + friction + "\n[[box]]\nid = 4\nposition = [" +
+         x + ", 0.0, 0.8]\nvelocity = [2.0, 0.0, 0.0]\n";
 }
 
 Judgement judge_pair(const std::string& mine, const std::string& other, const ApartBound& bound) {
@@ -84,7 +84,8 @@ TEST(HuntApart, ReadsBounds) {
     EXPECT_EQ(*read({to_text(bound)}), std::vector<ApartBound>{bound}) << to_text(bound);
     EXPECT_EQ(bound.amount == 2, bound.measure == "lost") << bound.measure;
   }
-  for (const char* bad : {"gain_max", "gain_max=", "gain_max=-1", "gain_max=1x", "gain_max=1+2", "gain_max=nan", "bound"})
+  for (const char* bad :
+       {"gain_max", "gain_max=", "gain_max=-1", "gain_max=1x", "gain_max=1+2", "gain_max=nan", "bound"})
     EXPECT_FALSE(read({bad}).ok()) << bad;
   for (const char* other : {"mirror_error=1", "parting_time.0.1=1", "channel.x.max=1", "gain_mx=1"})
     EXPECT_FALSE(read({other}).ok()) << other;

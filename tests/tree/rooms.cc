@@ -104,31 +104,31 @@ std::vector<Room> suite() {
       {"golden/engine", logs + engine},
       {"golden/hunt/engine", parts + Folders{"golden/engine", "src/process", "golden/hunt/scene", "golden/hunt/judge"}},
       {"golden/run", run + Folders{"golden/engine", "golden/hunt/scene", "golden/hunt/judge", "golden/hunt/engine"}},
-      {"golden/canaries", above + Folders{"golden/hunt/scene", "golden/hunt/judge", "golden/hunt/apart", "src/render/scene", "src/render/gl",
-                                          "src/render/passes"}},
+      {"golden/canaries", above + Folders{"golden/hunt/scene", "golden/hunt/judge", "golden/hunt/apart",
+                                          "src/render/scene", "src/render/gl", "src/render/passes"}},
       {"golden/report/page", {}},
       {"golden/bundle", above},
       {"golden/report", above + Folders{"golden/report/page", "golden/bundle"}},
       {"golden/bless", above},
       {"golden/hunt/shrink", logs + Folders{"golden/hunt/scene", "golden/hunt/judge"}},
-      {"golden/hunt", parts + Folders{"src/process", "golden/engine", "golden/bundle", "golden/hunt/scene",
-                                      "golden/hunt/judge", "golden/hunt/apart", "golden/hunt/engine",
-                                      "golden/hunt/shrink"}},
+      {"golden/hunt",
+       parts + Folders{"src/process", "golden/engine", "golden/bundle", "golden/hunt/scene", "golden/hunt/judge",
+                       "golden/hunt/apart", "golden/hunt/engine", "golden/hunt/shrink"}},
       {"golden", above + Folders{"golden/canaries", "golden/bundle", "golden/report", "golden/bless"}},
   };
 }
 
 std::vector<Room> program() {
   const Folders below =
-      kSim + Folders{"src/scenes",         "src/threads",    "src/render",        "src/render/picture",
-                     "replay/format",      "replay/codec",   "replay/log",        "replay/session",
-                     "replay/measure",     "replay/recover", "replay/arrays",     "replay/import",
-                     "replay/stream",      "replay/picture", "replay/probe",      "replay/diff",
-                     "replay/view",        "replay/blame",   "golden/suite",      "golden/expected",
-                     "golden/judge",       "golden/engine",  "golden/run",        "golden/canaries",
-                     "golden/report",      "golden/bless",   "golden/bundle",     "golden",
-                     "src/files",          "src/process",    "golden/hunt/scene", "golden/hunt/judge",
-                     "golden/hunt/apart",  "golden/hunt/shrink", "golden/hunt"};
+      kSim + Folders{"src/scenes",        "src/threads",        "src/render",        "src/render/picture",
+                     "replay/format",     "replay/codec",       "replay/log",        "replay/session",
+                     "replay/measure",    "replay/recover",     "replay/arrays",     "replay/import",
+                     "replay/stream",     "replay/picture",     "replay/probe",      "replay/diff",
+                     "replay/view",       "replay/blame",       "golden/suite",      "golden/expected",
+                     "golden/judge",      "golden/engine",      "golden/run",        "golden/canaries",
+                     "golden/report",     "golden/bless",       "golden/bundle",     "golden",
+                     "src/files",         "src/process",        "golden/hunt/scene", "golden/hunt/judge",
+                     "golden/hunt/apart", "golden/hunt/shrink", "golden/hunt"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

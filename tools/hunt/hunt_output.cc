@@ -177,7 +177,8 @@ namespace {
 
 std::string claim_of(const hunt::ApartBound& bound) {
   const std::string unit = unit_of(bound);
-  std::string text = "--within bounds: " + to_text(bound) + (bound.amount > 0 && !unit.empty() ? " (" + unit + ")" : "");
+  std::string text =
+      "--within bounds: " + to_text(bound) + (bound.amount > 0 && !unit.empty() ? " (" + unit + ")" : "");
   return text + (bound.measure == hunt::kPlace ? ", before the first contact" : "");
 }
 
@@ -186,7 +187,8 @@ std::string claim_of(const hunt::ApartBound& bound) {
 void print_relations() {
   Table table({"NAME", "CLAIM"});
   for (const hunt::Relation& one : hunt::relations()) table.add({one.name, one.claim});
-  table.add({hunt::kAgainst, "--against PROGRAM computes the same bits; with --within: takes the scene to its end too"});
+  table.add(
+      {hunt::kAgainst, "--against PROGRAM computes the same bits; with --within: takes the scene to its end too"});
   for (const hunt::ApartBound& bound : hunt::usual_bounds()) table.add({relation_of(bound), claim_of(bound)});
   table.print();
 }

@@ -73,9 +73,7 @@ Result<ApartBound> read_bound(const std::string& word) {
 
 }  // namespace
 
-double ApartBound::allowed(double a, double b) const {
-  return amount + part * std::max(std::fabs(a), std::fabs(b));
-}
+double ApartBound::allowed(double a, double b) const { return amount + part * std::max(std::fabs(a), std::fabs(b)); }
 
 std::vector<ApartBound> usual_bounds() {
   return {

@@ -111,8 +111,8 @@ Judgement SessionPair::judge_place(const ApartBound& bound) const {
     out.outcome = Outcome::kHeld;
     return out;
   }
-  const std::string farthest = "farthest after step " + std::to_string(worst - places_.begin()) + ", body " +
-                               std::to_string(worst->body);
+  const std::string farthest =
+      "farthest after step " + std::to_string(worst - places_.begin()) + ", body " + std::to_string(worst->body);
   return broken(static_cast<std::uint64_t>(first - places_.begin()), first->body,
                 "before anything met, its place is " + rounded(first->distance, "m") + " from that there; " + farthest,
                 worst->distance, allowed, "m");
