@@ -51,7 +51,7 @@ CanaryResult judge_pair() {
     return names;
   };
   const std::string of_itself = broken();
-  for (std::size_t k = 0; k < records.size(); ++k) records[k].states.position.x[0] += 1e-3;
+  for (replay::StepRecord& record : records) record.states.position.x[0] += 1e-3;
   const std::string of_moved = broken();
   result.caught = of_itself.empty() && of_moved == "place ";
   if (!result.caught) result.message = "of itself: " + of_itself + "; of the one that is moved: " + of_moved;

@@ -156,17 +156,22 @@ Result<CorpusResult> judge_corpus(const fs::path& folder, const Question& questi
     if (question.engine && is_claimed(question, name)) out.claimed.push_back(name);
   }
   std::map<std::size_t, process::JobResult> done;
+  const auto told = [&](std::size_t k) { return scratch.path() / ("judging-" + std::to_string(k)); };
   const bool all = process::run_jobs(
-      scenes.size(), [&](std::size_t k) { return judgements_text(judge_scene(asked, scenes[k])); },
+      scenes.size(),
+      [&](std::size_t k) {
+        Question one = asked;
+        one.told = told(k);
+        return judgements_text(judge_scene(one, scenes[k]));
+      },
       [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool);
   if (!all) return cannot_finish("interrupted: " + std::to_string(done.size()) + " scenes were judged");
   std::vector<Error> problems;
   for (const auto& [k, result] : done) {
     const std::string file = (*files)[k].string();
     if (!result.failure.empty()) {
-      out.broken.push_back(
-          {file, kSurvives,
-           broken(0, 0, (question.engine ? "Tumble's judge, and not the engine, " : "the program ") + result.failure)});
+      const std::string judging = told_in(told(k));
+      out.broken.push_back({file, kSurvives, ended(result.failure, judging, question.engine.has_value()), judging});
       continue;
     }
     Result<Judged> judged = judgements_from(result.output);
@@ -190,6 +195,13 @@ bool nothing_judged(const CorpusResult& result) {
   return nothing_judged(result.relations, result.engine, result.claimed);
 }
 
+std::string judges_error(const CorpusResult& result) {
+  const auto at = std::ranges::find_if(result.broken, [&result](const CorpusResult::Broken& one) {
+    return is_judges_error(one.relation, one.judging, result.engine);
+  });
+  return at == result.broken.end() ? "" : at->file + ": " + at->judgement.what + ": an error of tumble";
+}
+
 bool claims_hold(const CorpusResult& result) {
   return std::ranges::none_of(result.broken, [&result](const CorpusResult::Broken& one) {
     return is_failure(one.relation, result.engine, result.claimed);
@@ -207,6 +219,7 @@ Json to_json(const CorpusResult& result) {
   for (const auto& [name, tally] : result.relations) json["relations"][name] = to_json(tally);
   for (const CorpusResult::Broken& one : result.broken) {
     json["broken"].push_back({{"file", one.file}, {"relation", one.relation}, {"found", to_json(one.judgement)}});
+    if (!one.judging.empty()) json["broken"].back()["judging"] = one.judging;
   }
   return json;
 }

@@ -50,6 +50,7 @@ struct CorpusResult {
   struct Broken {
     std::string file, relation;
     Judgement judgement;
+    std::string judging = {};  ///< as Finding has it
   };
   std::vector<Broken> broken;  ///< by file
 };
@@ -60,6 +61,9 @@ Json to_json(const CorpusResult& result);
 
 /// Whether no session was judged by anything that is asked, as of a hunt.
 bool nothing_judged(const CorpusResult& result);
+
+/// As of a hunt.
+std::string judges_error(const CorpusResult& result);
 
 /// False where a scene broke a relation; of an engine, one that it claims, or ended the program.
 bool claims_hold(const CorpusResult& result);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "golden/suite/text_files.h"
 #include "src/base/text.h"
 
 namespace tumble::hunt {
@@ -18,6 +19,21 @@ int decade_of(const Judgement& judgement) {
   if (!(judgement.bound > 0) || !std::isfinite(judgement.value)) return 0;
   const double times = judgement.value / judgement.bound;
   return times >= 1e9 ? 9 : static_cast<int>(std::floor(std::log10(std::max(times, 1.0))));
+}
+
+bool is_judges_error(const std::string& relation, const std::string& judging, const std::string& engine) {
+  return relation == kSurvives && (!judging.empty() || !engine.empty());
+}
+
+Judgement ended(const std::string& failure, const std::string& judging, bool of_engine) {
+  std::string what = (of_engine ? "Tumble's judge, and not the engine, " : "the program ") + failure;
+  if (!judging.empty()) what += " while it judged " + judging;
+  return broken(0, 0, std::move(what));
+}
+
+std::string told_in(const std::filesystem::path& file) {
+  Result<std::string> text = golden::read_text(file);
+  return text.ok() ? *std::move(text) : std::string();
 }
 
 std::vector<FindingGroup> grouped(const std::vector<Finding>& findings) {
@@ -47,6 +63,7 @@ Json to_json(const Judgement& judgement) {
 Json to_json(const Finding& finding) {
   Json json = {{"name", name_of(finding)}, {"relation", finding.relation}, {"seed", finding.seed},
                {"number", finding.number}, {"kind", finding.kind},         {"found", to_json(finding.judgement)}};
+  if (!finding.judging.empty()) json["judging"] = finding.judging;
   if (!finding.engine_files.empty()) json["engine_files"] = finding.engine_files;
   json["shrunk"] = nullptr;
   if (!finding.shrunk()) return json;
@@ -79,6 +96,7 @@ Finding finding_from(const Json& json) {
   out.number = json.at("number");
   out.kind = json.at("kind");
   out.judgement = judgement_from(json.at("found"));
+  out.judging = json.value("judging", "");
   out.engine_files = json.value("engine_files", std::vector<std::string>{});
   const Json& shrunk = json.at("shrunk");
   if (shrunk.is_null()) return out;
@@ -114,6 +132,7 @@ std::string rules_of_law(const std::string& law, double bound) {
   }
   if (!text.empty()) return text;
   if (find_relation(law) != nullptr) return "\n[laws]\n" + law + " = true\n";
+  if (law == kSurvives) return std::string("\n[laws]\n") + kSurvives + " = true\n";
   return "# No rule judges this: a golden that is blessed before it is mended accepts it.\n";
 }
 

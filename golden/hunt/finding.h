@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct Finding {
   std::string relation;
   std::string kind;  ///< the arrangement, the first word of the scene's title
   Judgement judgement;
+  std::string judging;                    ///< of kSurvives: the relation at which the judge ended; empty: the session
   std::vector<std::string> engine_files;  ///< in the folder's findings/: what the engine wrote and printed
   std::string shrunk_text;                ///< TOML; empty: not shrunk
   Judgement shrunk_judgement;
@@ -35,6 +37,16 @@ struct Finding {
 
 /// "momentum_7_1234": the name of its case.
 std::string name_of(const Finding& finding);
+
+/// Of kSurvives: whether Tumble's judge ended, and not the program that is judged. Of an engine, which has a process of
+/// its own, always; of this program where a relation was judged.
+bool is_judges_error(const std::string& relation, const std::string& judging, const std::string& engine);
+
+/// The judgement of a scene whose process ended: `failure` says how.
+Judgement ended(const std::string& failure, const std::string& judging, bool of_engine);
+
+/// The relation that Question::told holds; empty: none was judged.
+std::string told_in(const std::filesystem::path& file);
 
 /// How far a value is beyond its bound, as a power of ten; 0 where nothing is allowed.
 int decade_of(const Judgement& judgement);

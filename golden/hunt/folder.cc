@@ -219,10 +219,10 @@ Status Folder::keep(const std::filesystem::path& place, Finding& finding) const 
 Status Folder::write(const Finding& finding, const std::string& drawn, bool of_engine) const {
   const std::string name = name_of(finding);
   if (Status ok = golden::write_file(path_ / kFindings / (name + ".toml"), drawn); !ok.ok()) return ok;
-  if (!finding.shrunk()) return {};
+  if (!finding.shrunk() && finding.relation != kSurvives) return {};
   const std::filesystem::path folder = path_ / "cases" / name;
   if (Status ok = golden::write_file(folder / "metrics.toml", case_rules(finding, of_engine)); !ok.ok()) return ok;
-  return golden::write_file(folder / "scene.toml", finding.shrunk_text);
+  return golden::write_file(folder / "scene.toml", finding.shrunk() ? finding.shrunk_text : drawn);
 }
 
 Status Folder::save(const HuntState& state) const {

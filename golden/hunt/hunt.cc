@@ -152,11 +152,15 @@ class Hunt {
   Result<Batch> one_by_one(std::uint64_t first, std::uint64_t scenes) {
     Batch sum;
     std::map<std::uint64_t, process::JobResult> done;
+    const auto told = [&](std::size_t k) {
+      return options_.question.scratch / ("judging-" + std::to_string(first + k));
+    };
     const bool all = process::run_jobs(
         scenes,
         [&](std::size_t k) {
-          return to_text(
-              judge_batch(options_.question, state_.seed, state_.share, first + k, 1, false, [] { return false; }));
+          Question question = options_.question;
+          question.told = told(k);
+          return to_text(judge_batch(question, state_.seed, state_.share, first + k, 1, false, [] { return false; }));
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kScenePatience, false));
     if (!all) return sum;
@@ -164,7 +168,7 @@ class Hunt {
     sum.tallies.resize(state_.relations.size());
     for (const auto& [k, result] : done) {
       if (!result.failure.empty()) {
-        sum.findings.push_back(ended(state_.share.number(first + k), result.failure));
+        sum.findings.push_back(finding_of_end(state_.share.number(first + k), result.failure, told_in(told(k))));
         for (Tally& tally : sum.tallies) ++tally.not_applicable;  // no relation was judged to its end
         continue;
       }
@@ -178,16 +182,15 @@ class Hunt {
     return sum;
   }
 
-  [[nodiscard]] Finding ended(std::uint64_t number, const std::string& failure) const {
+  [[nodiscard]] Finding finding_of_end(std::uint64_t number, const std::string& failure, std::string judging) const {
     Finding finding;
     finding.seed = state_.seed;
     finding.number = number;
     finding.relation = kSurvives;
     const Result<TextScene> scene = drawn_scene(state_.seed, number);
     if (scene.ok()) finding.kind = scene->scene.title.substr(0, scene->scene.title.find(','));
-    // An engine runs in a process of its own, whose end is that of its session: this process was Tumble's.
-    const std::string whose = state_.engine.empty() ? "the program " : "Tumble's judge, and not the engine, ";
-    finding.judgement = broken(0, 0, whose + failure);
+    finding.judgement = ended(failure, judging, !state_.engine.empty());
+    finding.judging = std::move(judging);
     return finding;
   }
 
@@ -278,9 +281,8 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
     if (!opened.ok()) return opened.error();
     corpus = *std::move(opened);
   }
-  std::optional<golden::TemporaryFolder> scratch;  // goes with this process, however those end that judge
-  if (options.question.engine || !fresh.against.empty())
-    options.question.scratch = scratch.emplace("tumble-hunt").path();
+  const golden::TemporaryFolder scratch("tumble-hunt");  // goes with this process, however those end that judge
+  options.question.scratch = scratch.path();
   const std::filesystem::path& place = options.question.scratch;
   if (options.question.engine && !options.folder.empty() && !place.empty()) options.question.runs = place / "runs";
   if (options.folder.empty()) return Hunt(options, std::move(fresh), std::move(corpus)).run();
@@ -289,6 +291,15 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
   Result<HuntState> kept = Folder(options.folder).open(std::move(fresh));
   if (!kept.ok()) return kept.error();
   return Hunt(options, *std::move(kept), std::move(corpus)).run();
+}
+
+std::string judges_error(const HuntState& state) {
+  const auto at = std::ranges::find_if(state.findings, [&state](const Finding& one) {
+    return is_judges_error(one.relation, one.judging, state.engine);
+  });
+  if (at == state.findings.end()) return "";
+  return "scene " + std::to_string(at->number) + " of seed " + std::to_string(at->seed) + ": " + at->judgement.what +
+         ": an error of tumble, which no relation is judged by; kept as " + name_of(*at);
 }
 
 bool claims_hold(const HuntState& state) {

@@ -8,11 +8,17 @@
 #include "golden/hunt/engine/trace_engine.h"
 #include "golden/hunt/judge/features.h"
 #include "golden/hunt/other_build.h"
+#include "golden/suite/text_files.h"
 #include "src/base/text.h"
 #include "tumble/sim/step.h"
 
 namespace tumble::hunt {
 namespace {
+
+// What is done next, where somebody wants to know. A file that cannot be written leaves it unsaid.
+void tell_next(const Question& question, const std::string& relation) {
+  if (!question.told.empty()) (void)golden::write_file(question.told, relation);
+}
 
 bool is_against(const std::string& relation) { return relation == kAgainst || measure_of(relation); }
 
@@ -103,6 +109,7 @@ Judged judge_scene(const Question& question, const TextScene& scene) {
   out.ran = session->ran;
   OtherBuild other(question, *session, scene);  // one session for all measures
   for (const std::string& name : names_of(question)) {
+    tell_next(question, name);
     out.judgements.emplace_back(name, is_against(name) ? other.judge(name) : judge_trace(name, *session));
   }
   return out;

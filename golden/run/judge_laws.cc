@@ -5,6 +5,7 @@
 
 #include "golden/hunt/engine/judge_trace.h"
 #include "golden/hunt/engine/trace_engine.h"
+#include "golden/suite/read_laws.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
 #include "tumble/scenes/scene_file.h"
@@ -37,12 +38,23 @@ Result<hunt::Trace> engine_trace(const LawSession& session, const CaseEngine& en
   return trace;
 }
 
+// The process that judges is alive after each.
+hunt::Judgement judge_survival(const hunt::Trace& trace) {
+  for (const hunt::Relation& one : hunt::relations()) (void)hunt::judge_trace(one.name, trace);
+  return hunt::held();
+}
+
+hunt::Judgement judge_law(const std::string& law, const hunt::Trace& trace) {
+  return law == kSurvivesLaw ? judge_survival(trace) : hunt::judge_trace(law, trace);
+}
+
 MetricResult result_of(const std::string& law, const hunt::Judgement& judged) {
   MetricResult out;
   out.rule.name = law;
   out.rule.is_law = true;
   out.rule.max = judged.bound;
-  out.rule.why = hunt::find_relation(law)->claim;
+  const hunt::Relation* known = hunt::find_relation(law);
+  out.rule.why = known != nullptr ? known->claim : "no law and no relation ends the program that judges it";
   out.unit = judged.unit;
   out.pass = judged.outcome == hunt::Outcome::kHeld;
   if (judged.outcome == hunt::Outcome::kNotApplicable) {
@@ -65,8 +77,7 @@ void judge_laws(const LawSession& session, const CaseRules& rules, CaseResult& r
                                                          : Result<hunt::Trace>(engine.error());
   std::string failed;
   for (const std::string& law : rules.laws) {
-    const hunt::Judgement judged =
-        trace.ok() ? hunt::judge_trace(law, *trace) : hunt::not_applicable(trace.error().message);
+    const hunt::Judgement judged = trace.ok() ? judge_law(law, *trace) : hunt::not_applicable(trace.error().message);
     result.metrics.push_back(result_of(law, judged));
     if (!result.metrics.back().pass) failed += (failed.empty() ? "" : ", ") + law;
   }

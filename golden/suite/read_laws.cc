@@ -14,6 +14,16 @@ std::vector<std::string> read_laws(scenes::TableReader& top) {
     if (!reader.flag(one.name, true)) reader.fail(one.name, "true; leave out a law that the case need not hold");
     laws.emplace_back(one.name);
   }
+  if (reader.has(kSurvivesLaw)) {
+    if (!reader.flag(kSurvivesLaw, true)) reader.fail(kSurvivesLaw, "true; leave it out");
+    laws.emplace_back(kSurvivesLaw);
+  }
+  for (const auto& [key, _] : *table) {
+    if (!key.str().starts_with("against") || !reader.has(key.str())) continue;
+    reader.fail(key.str(),
+                "no such key: a case has no other build to compare with; a [[metric]] parting_time.D, with "
+                "`against` = a log of the other build, compares with its session");
+  }
   reader.finish();
   return laws;
 }

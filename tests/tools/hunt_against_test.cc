@@ -103,5 +103,37 @@ TEST_F(HuntAgainst, RefusesWhatIsNoBound) {
   EXPECT_TRUE(tells(shop_.run({"hunt", "--relations"}).out, "overlap_peak=0.02+50% (m)"));
 }
 
+// Another build that ends the process which judges.
+std::string deadly_build(const Workshop& shop) {
+  shop.write("deadly.sh", "#!/bin/sh\ncase $1 in record) kill -9 $PPID;; esac\n");
+  std::filesystem::permissions(shop.path("deadly.sh"), std::filesystem::perms::owner_all);
+  return shop.path("deadly.sh");
+}
+
+TEST(HuntJudge, ThatEndsIsAnErrorOfTheTool) {
+  const Workshop shop;
+  const std::vector<std::string> words = {"hunt",      "--count",          "2",        "--relation", "ids",
+                                          "--against", deadly_build(shop), "--folder", "kept"};
+  const Outcome run = shop.run(words);
+  EXPECT_EQ(run.exit, 4) << run.err << run.out;
+  EXPECT_TRUE(tells(run.err,
+                    "scene 0 of seed 1: the program ended by SIGKILL while it judged against: an error of "
+                    "tumble, which no relation is judged by; kept as survives_1_0"))
+      << run.err;
+  const Json json = Json::parse(shop.read("kept/hunt.json"));
+  ASSERT_EQ(json.at("findings").size(), 2U);
+  EXPECT_EQ(json.at("findings").at(0).at("relation"), "survives");
+  EXPECT_EQ(json.at("findings").at(0).at("judging"), "against");
+  EXPECT_EQ(shop.run(words).exit, 4) << "the kept finding stays one";
+  // The scene as it was drawn is a case, which passes where nothing ends.
+  EXPECT_TRUE(tells(shop.read("kept/cases/survives_1_0/metrics.toml"), "[laws]\nsurvives = true\n"));
+  EXPECT_EQ(shop.run({"bless", "--suite", "kept", "survives_1_0", "--reason", "mended"}).exit, 0);
+  EXPECT_EQ(shop.run({"check", "--suite", "kept", "survives_1_0"}).exit, 0);
+  const Outcome judged = shop.run({"hunt", "--judge", "kept/findings", "--relation", "ids", "--against", words[6]});
+  EXPECT_EQ(judged.exit, 4) << judged.err << judged.out;
+  EXPECT_TRUE(tells(judged.err, "survives_1_0.toml: the program ended by SIGKILL while it judged against"))
+      << judged.err;
+}
+
 }  // namespace
 }  // namespace tumble::test

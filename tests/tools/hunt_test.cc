@@ -253,7 +253,8 @@ TEST(HuntEngine, ASceneThatEndsTheProgramStaysAFinding) {
   const std::vector<std::string> words = {"hunt", "--engine", "--count", "2", "--relation", "ids", "--folder", "kept"};
   shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'kill -9 $PPID; : {scene} {log}'\n");
   const Outcome run = shop.run(words);
-  ASSERT_EQ(run.exit, 1) << run.err << run.out;
+  ASSERT_EQ(run.exit, 4) << run.err << run.out;
+  EXPECT_TRUE(says(run.err, "scene 0 of seed 1: Tumble's judge, and not the engine, ended by SIGKILL")) << run.err;
   const Json json = Json::parse(shop.read("kept/hunt.json"));
   ASSERT_EQ(json.at("findings").size(), 2U);
   EXPECT_EQ(json.at("findings").at(0).at("relation"), "survives");
@@ -261,7 +262,7 @@ TEST(HuntEngine, ASceneThatEndsTheProgramStaysAFinding) {
   EXPECT_EQ(json.at("relations").at("ids").at("broken"), 0);
   EXPECT_EQ(json.at("relations").at("ids").at("not_applicable"), 2);
   const Outcome on = shop.run(words);  // the folder that was written is whole
-  EXPECT_EQ(on.exit, 1) << on.err;
+  EXPECT_EQ(on.exit, 4) << on.err;
 }
 
 TEST(HuntEngine, RefusesWhatIsNoProjectAndNoClaim) {

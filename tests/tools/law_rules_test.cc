@@ -72,6 +72,14 @@ TEST(LawRules, AreHeldOrNotJudged) {
   EXPECT_TRUE(holds(shop.run({"check", "fall"}).out, "unmet")) << "the nearest name is shown";
   write_case(shop, "fall", "[laws]\nunmet = false\n");
   EXPECT_TRUE(holds(shop.run({"check", "fall"}).out, "wanted true; leave out a law"));
+  write_case(shop, "fall", "[laws]\nsurvives = true\n");
+  EXPECT_TRUE(holds(shop.run({"check", "fall", "--json"}).out, "1 law held"));
+  for (const char* key : {"against", "against_lost"}) {
+    write_case(shop, "fall", std::string("[laws]\n") + key + " = true\n");
+    const Outcome other = shop.run({"check", "fall"});
+    EXPECT_EQ(other.exit, 1);
+    EXPECT_TRUE(holds(other.out, "a case has no other build to compare with")) << other.out;
+  }
 }
 
 // Found in an engine whose gravity is wrong, and mended by another command in its tumble.toml.

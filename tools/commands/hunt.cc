@@ -102,6 +102,7 @@ Result<Exit> judge_folder(const HuntCommand& options) {
   const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how->question, how->pool);
   if (!result.ok()) return result.error();
   options.json ? print_json("hunt", hunt::to_json(*result)) : print_corpus(*result);
+  if (const std::string error = hunt::judges_error(*result); !error.empty()) return cannot_finish(printable(error));
   if (!hunt::claims_hold(*result)) return Exit::kDifference;
   if (hunt::nothing_judged(*result)) return cannot_finish(nothing_judged_text(*result));
   return Exit::kSame;
@@ -131,6 +132,7 @@ Result<Exit> tell(const HuntCommand& options, const hunt::HuntState& state) {
   } else {
     print_hunt(state, options.folder);
   }
+  if (const std::string error = hunt::judges_error(state); !error.empty()) return cannot_finish(printable(error));
   if (!claims_hold(state)) return Exit::kDifference;
   if (!nothing_judged(state)) return Exit::kSame;
   const std::string text = nothing_judged_text(state, options.count);
@@ -235,7 +237,8 @@ Action declare_hunt(Arguments& arguments) {
   arguments.footer(
       "Exit status: 0 no scene broke a relation, of an engine none that it claims; 1 findings; 2 bad usage, a folder\n"
       "of another hunt, or a shard that is missing, there twice or not at its end; 3 a damaged folder or shard;\n"
-      "4 could not finish or was interrupted; the folder then holds what was judged.\n\n"
+      "4 could not finish, was interrupted, or tumble's own judge ended over a scene; the folder then holds what was\n"
+      "judged.\n\n"
       "Examples:\n"
       "  tumble hunt --time 600 --folder hunt\n"
       "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
