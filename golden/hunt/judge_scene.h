@@ -23,7 +23,7 @@ struct Question {
   std::optional<golden::EngineProject> engine;  ///< whose sessions are judged; none: those of this program
   std::filesystem::path scratch;  ///< where other programs get folders of their own; empty: the system's place
   std::filesystem::path told;     ///< a file that gets the name of each relation before it is judged, for the case that
-                               ///< the process ends; empty: none
+                                  ///< the process ends; empty: none
   std::filesystem::path runs;  ///< where runs of an engine that broke something are set aside, by the scene's number;
                                ///< empty: nowhere
 };
