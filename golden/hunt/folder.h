@@ -75,6 +75,13 @@ bool nothing_judged(const Tallies& relations, const std::string& engine, const s
 /// relation could be asked. Of an engine with claims only these count.
 bool nothing_judged(const HuntState& state);
 
+/// The first finding in which the judge ended, and not what it judged; empty: none.
+std::string judges_error(const HuntState& state);
+
+/// Whether none of the findings breaks a relation that was claimed: all are, of this program. That a scene ends this
+/// program is no engine's to claim or to leave out.
+bool claims_hold(const HuntState& state);
+
 /// The first way in which a kept hunt is not the one that is wanted, as an error (kBadInput). where: for its message.
 Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where);
 

@@ -293,18 +293,4 @@ Result<HuntState> hunt_scenes(const HuntOptions& chosen) {
   return Hunt(options, *std::move(kept), std::move(corpus)).run();
 }
 
-std::string judges_error(const HuntState& state) {
-  const auto at = std::ranges::find_if(state.findings, [&state](const Finding& one) {
-    return is_judges_error(one.relation, one.judging, state.engine);
-  });
-  if (at == state.findings.end()) return "";
-  return "scene " + std::to_string(at->number) + " of seed " + std::to_string(at->seed) + ": " + at->judgement.what +
-         ": an error of tumble, which no relation is judged by; kept as " + name_of(*at);
-}
-
-bool claims_hold(const HuntState& state) {
-  const auto fails = [&state](const Finding& one) { return is_failure(one.relation, state.engine, state.claimed); };
-  return std::ranges::none_of(state.findings, fails) && std::ranges::none_of(state.beyond.findings, fails);
-}
-
 }  // namespace tumble::hunt

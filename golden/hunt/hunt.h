@@ -34,11 +34,4 @@ struct HuntOptions {
 /// reached. Errors: the folder's; kBadInput: a question that cannot be asked, a folder in which another process hunts.
 Result<HuntState> hunt_scenes(const HuntOptions& chosen);
 
-/// The first finding in which the judge ended, and not what it judged; empty: none.
-std::string judges_error(const HuntState& state);
-
-/// Whether none of the findings breaks a relation that was claimed: all are, of this program. That a scene ends this
-/// program is no engine's to claim or to leave out.
-bool claims_hold(const HuntState& state);
-
 }  // namespace tumble::hunt

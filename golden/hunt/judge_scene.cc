@@ -86,7 +86,7 @@ std::vector<std::string> names_of(const Question& question) {
 
 Judgement judge(const Question& question, const std::string& relation, const Trace& trace, const TextScene& scene) {
   if (!is_against(relation)) return judge_trace(relation, trace);
-  return OtherBuild(question, trace, scene).judge(relation);
+  return OtherBuild(question.against, question.within, question.scratch, trace, scene).judge(relation);
 }
 
 Judged judge_scene(const Question& question, const TextScene& scene) {
@@ -107,7 +107,8 @@ Judged judge_scene(const Question& question, const TextScene& scene) {
   session->again = run;
   out.features = features_of(*session);
   out.ran = session->ran;
-  OtherBuild other(question, *session, scene);  // one session for all measures
+  OtherBuild other(question.against, question.within, question.scratch, *session,
+                   scene);  // one session for all measures
   for (const std::string& name : names_of(question)) {
     tell_next(question, name);
     out.judgements.emplace_back(name, is_against(name) ? other.judge(name) : judge_trace(name, *session));

@@ -28,9 +28,6 @@ struct Question {
                                ///< empty: nowhere
 };
 
-/// The name of the relation that `against` adds; each of `within` adds relation_of() it too.
-inline constexpr const char* kAgainst = "against";
-
 /// Errors (kBadInput): a name that no relation has, or one that says nothing about an engine; an engine that is handed
 /// no scene.
 Status check_question(const Question& question);

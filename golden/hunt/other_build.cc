@@ -1,9 +1,7 @@
 #include "golden/hunt/other_build.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
-#include <vector>
 
 #include "golden/hunt/judge/same_bits.h"
 #include "golden/suite/text_files.h"
@@ -22,8 +20,8 @@ constexpr double kPatience = 60;  // s that another build may take for one scene
 Judgement OtherBuild::judge(const std::string& relation) {
   if (!trace_.failure.empty()) return not_applicable("the session ends early");
   if (!session_) session_ = judge_session();
-  const auto bound = std::ranges::find(question_.within, relation, relation_of);
-  if (bound == question_.within.end()) return *session_;
+  const auto bound = std::ranges::find(within_, relation, relation_of);
+  if (bound == within_.end()) return *session_;
   if (session_->outcome != Outcome::kHeld) return not_applicable("no whole session to compare with: " + session_->what);
   return judge_measure(*bound);
 }
@@ -32,17 +30,17 @@ Judgement OtherBuild::judge(const std::string& relation) {
 Judgement OtherBuild::judge_session() {
   Judgement recorded = record();
   if (recorded.outcome != Outcome::kHeld) return recorded;
-  return question_.within.empty() ? compare_bits() : read_records();
+  return within_.empty() ? compare_bits() : read_records();
 }
 
 Judgement OtherBuild::record() {
-  folder_ = std::make_unique<golden::TemporaryFolder>("scene", question_.scratch);
+  folder_ = std::make_unique<golden::TemporaryFolder>("scene", scratch_);
   const std::filesystem::path& place = folder_->path();
   if (place.empty()) return not_applicable("no temporary folder could be made");
   const std::filesystem::path toml = place / "scene.toml", log = place / "s.tumble", said = place / "said";
   if (const Status ok = golden::write_file(toml, scene_.text); !ok.ok()) return not_applicable(ok.error().message);
   process::Program child;
-  child.words = {question_.against, "record", toml.string(), "-o", log.string()};
+  child.words = {program_, "record", toml.string(), "-o", log.string()};
   child.own_group = false;  // it ends with the process that judges
   child.out = child.err = said.string();
   const Result<process::ChildEnd> end = process::run_child(child, kPatience);

@@ -1,22 +1,26 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "golden/hunt/apart/session_pair.h"
-#include "golden/hunt/judge_scene.h"
+#include "golden/hunt/scene/scene_text.h"
 #include "golden/suite/temporary_folder.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::hunt {
 
-/// The session of a scene by the build of Question::against, recorded when it is first judged and only once.
+/// The session of a scene by another build, recorded when it is first judged and only once.
 class OtherBuild {
  public:
-  /// All outlive this. The trace is of the scene.
-  OtherBuild(const Question& question, const Trace& trace, const TextScene& scene)
-      : question_(question), trace_(trace), scene_(scene) {}
+  /// All outlive this. program: the other build. within: none, bits are compared. scratch: where it gets a folder;
+  /// empty: the system's place. The trace is of the scene.
+  OtherBuild(const std::string& program, const std::vector<ApartBound>& within, const std::filesystem::path& scratch,
+             const Trace& trace, const TextScene& scene)
+      : program_(program), within_(within), scratch_(scratch), trace_(trace), scene_(scene) {}
 
   /// kAgainst: every state has the same bits, or with bounds: the other build takes the scene to its last step too.
   /// relation_of() a bound: its measure is within it; not applicable where there is no whole session.
@@ -29,7 +33,9 @@ class OtherBuild {
   Judgement read_records();
   [[nodiscard]] Judgement judge_measure(const ApartBound& bound) const;
 
-  const Question& question_;
+  const std::string& program_;
+  const std::vector<ApartBound>& within_;
+  const std::filesystem::path& scratch_;
   const Trace& trace_;
   const TextScene& scene_;
   std::unique_ptr<golden::TemporaryFolder> folder_;  // goes after the log

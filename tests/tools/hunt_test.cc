@@ -292,8 +292,7 @@ TEST(Hunt, RefusesBadUsage) {
   const Outcome unknown = shop.run({"hunt", "--count", "1", "--relation", "energi"});
   EXPECT_EQ(unknown.exit, 2);
   EXPECT_TRUE(says(unknown.err, "did you mean \"energy\"?")) << unknown.err;
-  EXPECT_EQ(shop.run({"hunt", "--count", "0"}).exit, 2);
-  EXPECT_EQ(shop.run({"hunt", "--time", "-3"}).exit, 2);
+  for (const char* wrong : {"--count=0", "--time=-3"}) EXPECT_EQ(shop.run({"hunt", wrong}).exit, 2);
   EXPECT_EQ(shop.run({"hunt", "--print", "3", "--relations"}).exit, 2);
 }
 

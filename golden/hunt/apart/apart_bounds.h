@@ -10,6 +10,9 @@
 /// How far a measure may be apart in one scene's sessions by two builds that need not compute the same bits.
 namespace tumble::hunt {
 
+/// The relation of two builds, of which each bound adds one (relation_of()).
+inline constexpr const char* kAgainst = "against";
+
 /// The measure that is no metric: the farthest that a body is from its place in the other session, m, up to the first
 /// contact of either session. Behind a contact a difference of a rounding grows to one of metres.
 inline constexpr const char* kPlace = "place";
