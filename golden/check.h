@@ -18,6 +18,7 @@ struct CheckOptions {
   std::filesystem::path suite;
   Selection selection;
   std::optional<std::vector<VerdictKind>> require;  ///< overrides each case's own list
+  bool heavy = false;                               ///< every session is gone on with from each of its steps too
   std::filesystem::path report;                     ///< folder for the files of failed cases; empty: none
   std::filesystem::path junit;                      ///< JUnit's report; empty: junit.xml in that folder
   process::PoolOptions pool;

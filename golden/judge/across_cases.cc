@@ -51,4 +51,17 @@ std::vector<std::string> across_cases(const std::vector<CaseResult>& cases) {
   return sentences;
 }
 
+std::string gone_on_across(const std::vector<CaseResult>& cases) {
+  if (std::ranges::all_of(cases, [](const CaseResult& one) { return one.gone_on.empty(); })) return "";
+  std::string others;
+  std::size_t done = 0;
+  for (const CaseResult& one : cases) {
+    const bool was_done = one.gone_on.starts_with(CaseResult::kGoneOn);
+    done += was_done ? 1U : 0U;
+    if (!was_done) others += (others.empty() ? "" : ", ") + one.name;
+  }
+  return decimal(done) + " of " + decimal(cases.size()) + " gone on with from each step" +
+         (others.empty() ? "" : "; not so: " + others);
+}
+
 }  // namespace tumble::golden

@@ -12,4 +12,7 @@ namespace tumble::golden {
 /// fewer than two cases moved or no two of them have a phase in common.
 std::vector<std::string> across_cases(const std::vector<CaseResult>& cases);
 
+/// Of `check --heavy`: how many cases were gone on with from each step, and which were not. Empty: none was asked.
+std::string gone_on_across(const std::vector<CaseResult>& cases);
+
 }  // namespace tumble::golden

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/golden/case_rules.h"
@@ -55,6 +56,9 @@ struct CaseResult {
   std::vector<std::string> notes;     ///< fail nothing
   std::uint64_t runs = 1;             ///< of the engine, judged together
   std::string runs_message;           ///< of more than one: whether they agree, or by how much they differ
+  static constexpr std::string_view kGoneOn = "gone on with from each of ";  ///< how gone_on begins where it was done
+  std::string
+      gone_on;  ///< of `check --heavy`: from how many steps it was gone on with, or why from none; empty: not asked
   std::vector<MetricResult> metrics;
   std::vector<PictureResult> pictures;
   std::optional<FirstDifference> difference;

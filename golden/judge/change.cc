@@ -161,6 +161,7 @@ std::string summary(const CaseResult& result) {
       (exact == Outcome::kPass && !bits_last ? ", " : "; ") + (bits_last ? bits_text(result) : metrics_text(result));
   if (const std::string pictures = pictures_text(result); !pictures.empty()) text += ", " + pictures;
   if (!result.runs_message.empty()) text += "; " + shortly(result.runs_message);
+  if (!result.gone_on.empty()) text += "; " + result.gone_on;
   if (!result.problems.empty()) text += "; " + short_problem(result);
   return text;
 }

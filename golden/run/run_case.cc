@@ -6,6 +6,7 @@
 #include "golden/expected/expected_file.h"
 #include "golden/run/engine_files.h"
 #include "golden/run/external_engine.h"
+#include "golden/run/go_on.h"
 #include "golden/run/judge_laws.h"
 #include "golden/run/obstacle.h"
 #include "golden/run/repeated_runs.h"
@@ -112,16 +113,10 @@ class CaseRunner {
     std::error_code ignored;
     if (!fs::exists(folder_.file(kExpectedFile), ignored)) return;
     const Result<std::vector<std::byte>> bytes = read_bytes(folder_.file(kExpectedFile));
-    if (!bytes.ok()) {
-      fail(bytes.error());
-      return;
-    }
+    if (!bytes.ok()) return fail(bytes.error());
     Result<Expected> expected = unpack(*bytes, folder_.file(kExpectedFile).string());
-    if (expected.ok()) {
-      expected_ = *std::move(expected);
-    } else {
-      fail(expected.error());
-    }
+    if (!expected.ok()) return fail(expected.error());
+    expected_ = *std::move(expected);
   }
 
   void judge_session() {
@@ -155,8 +150,9 @@ class CaseRunner {
     }
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
     if (!session->cut_short) {
-      judge_laws({folder_, options_.suite, *log, scene_, recorded_ == nullptr, options_.scratch}, run_.rules,
-                 run_.result);
+      const LawSession judged_session = {folder_, options_.suite, *log, scene_, recorded_ == nullptr, options_.scratch};
+      judge_laws(judged_session, run_.rules, run_.result);
+      if (options_.heavy && session->failure.empty()) go_on_from_each_step(judged_session, run_.rules, run_.result);
     }
     session->cut_short ? tell_how_far() : take_pictures(*log);
     if (!run_.result.passed()) leave_case_files(run_, options_.report, *session, *log, expected_);

@@ -45,6 +45,7 @@ struct CheckCommand {
   std::optional<std::uint64_t> jobs;
   std::optional<double> timeout;
   bool merge = false;
+  bool heavy = false;
   bool json = false;
 };
 
@@ -66,6 +67,7 @@ Result<golden::CheckOptions> check_options(const CheckCommand& options) {
     if (!kind.ok()) return bad_input("--require: " + kind.error().message);
     out.require->push_back(*kind);
   }
+  out.heavy = options.heavy;
   out.report = options.report;
   out.junit = options.junit;
   out.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
@@ -159,6 +161,10 @@ Action declare_check(Arguments& arguments) {
       .option("--require", "VERDICT", options->require,
               "A verdict that decides, instead of each case's own: exact, behaviour or image; may be repeated")
       .excludes(merge);
+  arguments
+      .flag("--heavy", options->heavy,
+            "Also go on with each session from a snapshot of every step; the bits must be those of the session")
+      .excludes(merge);
   arguments.option("--report", "DIR", options->report,
                    "The folder for index.html, junit.xml, report.json and the logs of failed "
                    "cases; report if not given");
@@ -183,6 +189,7 @@ Action declare_check(Arguments& arguments) {
       "Examples:\n"
       "  tumble check\n"
       "  tumble check brick_wall tower --report build/report\n"
+      "  tumble check --heavy --timeout 3600\n"
       "  tumble check --junit junit.xml --annotate github\n"
       "  tumble check --suite my_engine/goldens --require behaviour --shard 1/4 --report shard-1\n"
       "  tumble check --merge shard-1 shard-2 shard-3 shard-4 --report report");

@@ -65,6 +65,8 @@ void print_sum(const golden::SuiteResult& result, const std::string& suite, cons
   for (const std::string& problem : result.problems) std::cout << "FAILED  " << printable(problem) << '\n';
   for (const std::string& sentence : golden::across_cases(result.cases))
     std::cout << "across  " << printable(sentence) << '\n';
+  if (const std::string sentence = golden::gone_on_across(result.cases); !sentence.empty())
+    std::cout << "heavy   " << printable(sentence) << '\n';
   std::size_t caught = 0;
   for (const golden::CanaryResult& canary : result.canaries) {
     caught += canary.caught ? 1U : 0U;

@@ -66,19 +66,8 @@ Judgement failed(std::uint64_t step, const std::string& message) {
 // The step as its session took it, against the trace.
 Judgement compare_step(const Trace& trace, std::size_t k, const sim::WorldState& state,
                        const std::vector<std::uint64_t>& words, const sim::StepCounters& counters) {
-  const auto difference = first_difference(trace.after(k).bodies, state.bodies, {}, {});
-  Judgement out;
-  if (difference) {
-    out = parted(k + 1, *difference);
-  } else if (words != trace.steps[k].words) {
-    out = broken(k + 1, 0, "the hash of a phase differs, though no body does");
-  } else if (!(counters == trace.steps[k].counters)) {
-    out = broken(k + 1, 0, "counts or energies of the step differ, though no body does");
-  } else if (continuation_hash(state) != continuation_hash(trace.after(k))) {
-    out = broken(k + 1, 0, "hidden state differs, though no body does");
-  }
-  if (out.outcome == Outcome::kBroken) out.phase = first_phase(trace.scene.world.method, trace.steps[k].words, words);
-  return out;
+  return compare_steps(trace.scene.world.method, k + 1, {trace.after(k), trace.steps[k].words, trace.steps[k].counters},
+                       {state, words, counters});
 }
 
 // Another session of the trace's scene, step by step.
@@ -117,6 +106,22 @@ std::string first_phase(sim::Method method, const std::vector<std::uint64_t>& a,
   const auto [at, other] = std::ranges::mismatch(a, b);
   if (at == a.end() || other == b.end()) return {};
   return table.phases[static_cast<std::size_t>(at - a.begin()) % table.phases.size()].name;
+}
+
+Judgement compare_steps(sim::Method method, std::uint64_t step, const StepTaken& wanted, const StepTaken& found) {
+  const auto difference = first_difference(wanted.state.bodies, found.state.bodies, {}, {});
+  Judgement out;
+  if (difference) {
+    out = parted(step, *difference);
+  } else if (found.words != wanted.words) {
+    out = broken(step, 0, "the hash of a phase differs, though no body does");
+  } else if (!(found.counters == wanted.counters)) {
+    out = broken(step, 0, "counts or energies of the step differ, though no body does");
+  } else if (continuation_hash(found.state) != continuation_hash(wanted.state)) {
+    out = broken(step, 0, "hidden state differs, though no body does");
+  }
+  if (out.outcome == Outcome::kBroken) out.phase = first_phase(method, wanted.words, found.words);
+  return out;
 }
 
 Judgement parted(std::uint64_t step, const ValueDifference& difference) {

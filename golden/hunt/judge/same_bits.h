@@ -40,6 +40,17 @@ std::string first_phase(sim::Method method, const std::vector<std::uint64_t>& a,
 /// The difference as a judgement of the step that leads to state `step`.
 Judgement parted(std::uint64_t step, const ValueDifference& difference);
 
+/// A step as it was taken: the state after it, its phases and its counts.
+struct StepTaken {
+  const sim::WorldState& state;
+  const std::vector<std::uint64_t>& words;  ///< sim::PhaseHashes
+  const sim::StepCounters& counters;
+};
+
+/// Whether two takings of the step that leads to state `step` agree to the bit, hidden state included. Broken: the
+/// first body, and the first phase, that differ.
+Judgement compare_steps(sim::Method method, std::uint64_t step, const StepTaken& wanted, const StepTaken& found);
+
 /// A session of the image of the trace's scene under a transform.
 Judgement judge_image(const Trace& trace, const sim::Transform& transform);
 
