@@ -28,7 +28,7 @@ Batch judge_batch(const Question& question, std::uint64_t seed, const Share& sha
     const std::uint64_t number = share.number(at);
     const Result<TextScene> scene = drawn_scene(seed, number);
     const Judged judged =
-        scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}, {}, {}, {}};
+        scene.ok() ? judge_scene(question, *scene, with_features) : Judged{scene.error().message, {}, {}, {}, {}, {}};
     if (!judged.unable.empty()) {
       batch.unable = "scene " + std::to_string(number) + ": " + judged.unable;
       return batch;

@@ -89,7 +89,7 @@ Judgement judge(const Question& question, const std::string& relation, const Tra
   return OtherBuild(question.against, question.within, question.scratch, trace, scene).judge(relation);
 }
 
-Judged judge_scene(const Question& question, const TextScene& scene) {
+Judged judge_scene(const Question& question, const TextScene& scene, bool with_features) {
   Judged out;
   const auto run = [&question, &out](const sim::SceneDef& def) {
     Result<Trace> session = trace_of(question, def);
@@ -105,7 +105,7 @@ Judged judge_scene(const Question& question, const TextScene& scene) {
     return out;
   }
   session->again = run;
-  out.features = features_of(*session);
+  if (with_features) out.features = features_of(*session);
   out.ran = session->ran;
   OtherBuild other(question.against, question.within, question.scratch, *session,
                    scene);  // one session for all measures

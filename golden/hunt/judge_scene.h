@@ -50,9 +50,9 @@ struct Judged {
   bool refused = false;  ///< by the engine
   std::string unable;    ///< why the engine could not be run; empty: it was. No judgement counts then
   std::vector<std::pair<std::string, Judgement>> judgements;
-  std::vector<std::string> features;       ///< features_of()
+  std::vector<std::string> features;       ///< features_of(), where they are asked for
   std::shared_ptr<const EngineFiles> ran;  ///< as Trace has it
 };
-Judged judge_scene(const Question& question, const TextScene& scene);
+Judged judge_scene(const Question& question, const TextScene& scene, bool with_features = false);
 
 }  // namespace tumble::hunt

@@ -1,6 +1,7 @@
 // Scenes of a hunt: drawn, written, shrunk.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -8,10 +9,12 @@
 #include "golden/hunt/finding.h"
 #include "golden/hunt/hunt.h"
 #include "golden/hunt/judge/features.h"
+#include "golden/hunt/judge/relation.h"
 #include "golden/hunt/scene/grammar.h"
 #include "golden/hunt/scene/scene_text.h"
 #include "golden/hunt/shrink/shrink.h"
 #include "golden/suite/temporary_folder.h"
+#include "tests/golden/hunt_session.h"
 #include "tumble/scenes/scene_file.h"
 #include "tumble/sim/hash.h"
 
@@ -133,6 +136,45 @@ TEST(HuntCorpus, MergesWithAnotherAndOpensAgain) {
   const Result<hunt::Corpus> again = hunt::Corpus::open(place().path() / "left");
   ASSERT_TRUE(again.ok());
   EXPECT_EQ(again->features(), left.features());
+}
+
+bool does(const std::vector<std::string>& features, const std::string& word) {
+  return std::ranges::find(features, word) != features.end();
+}
+
+TEST(HuntFeatures, AnIslandSplitsWhereItsBodiesPartAwake) {
+  const std::string pair =
+      "[world]\nsteps = 40\ngravity = [0, 0, 0]\nground = false\n[material]\nrestitution = 0.5\n"
+      "[[box]]\nid = 1\nposition = [0, 0, 5]\n[[box]]\nid = 2\nposition = [1.5, 0, 5]\nvelocity = [-4, 0, 0]\n";
+  const auto parted = hunt::features_of(traced(pair.c_str()));
+  EXPECT_TRUE(does(parted, "layered: an island splits"));
+  EXPECT_FALSE(does(parted, "layered: an island splits into islands"));
+  // Asleep nothing meets, and no island has split.
+  const auto stack = hunt::features_of(traced(
+      "[world]\nsteps = 200\n[[box]]\nid = 1\nposition = [0, 0, 0.5]\n[[box]]\nid = 2\nposition = [0, 0, 1.5]\n"));
+  EXPECT_TRUE(does(stack, "layered: a body falls asleep"));
+  EXPECT_FALSE(does(stack, "layered: an island splits"));
+}
+
+TEST(HuntFeatures, TellHowNearALawsBoundWas) {
+  std::size_t near = 0;
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const Result<hunt::Trace> session = hunt::trace(hunt::random_scene(1, number));
+    ASSERT_TRUE(session.ok());
+    const std::vector<std::string> features = hunt::features_of(*session);
+    const std::string front = session->scene.world.method == sim::Method::kThesis ? "thesis: " : "layered: ";
+    for (const hunt::Relation& law : hunt::relations()) {
+      const hunt::Judgement one = law.is_law ? law.judge(*session) : hunt::not_applicable("a relation");
+      const bool held = one.outcome == hunt::Outcome::kHeld && one.bound > 0;
+      for (const int percent : {50, 90, 99}) {
+        const bool reaches = held && one.value >= percent * one.bound / 100;
+        near += reaches ? 1U : 0U;
+        EXPECT_EQ(does(features, front + law.name + " reaches " + std::to_string(percent) + " % of its bound"), reaches)
+            << law.name << " in scene " << number;
+      }
+    }
+  }
+  EXPECT_GT(near, 3U);
 }
 
 hunt::Finding finding(const char* relation, std::uint64_t number, double value) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "golden/hunt/judge/mechanics.h"
+#include "golden/hunt/judge/relation.h"
 
 namespace tumble::hunt {
 namespace {
@@ -76,15 +79,58 @@ void add_ties(const sim::WorldState& state, Words& words) {
                "crossing edges");
 }
 
-void add_step(const Trace& trace, std::size_t k, Words& words) {
+bool sleeps(const Bodies& bodies, sim::BodyId id) {
+  const auto row = bodies.find(id);
+  return !row || bodies.frozen[*row] != 0;
+}
+
+// An island of the step before whose bodies, all awake still, meet in two groups or more.
+void add_splits(const Trace& trace, std::size_t k, const std::vector<TouchingGroup>& before,
+                const std::vector<TouchingGroup>& now, Words& words) {
+  std::map<sim::BodyId, std::size_t> group_of;
+  for (std::size_t g = 0; g < now.size(); ++g) {
+    for (const sim::BodyId id : now[g].bodies) group_of[id] = g;
+  }
+  for (const TouchingGroup& island : before) {
+    const bool asleep = std::ranges::any_of(
+        island.bodies, [&](sim::BodyId id) { return !group_of.contains(id) || sleeps(trace.after(k).bodies, id); });
+    if (island.bodies.size() < 2 || asleep) continue;
+    std::set<std::size_t> parts, islands;
+    for (const sim::BodyId id : island.bodies) {
+      parts.insert(group_of[id]);
+      if (now[group_of[id]].bodies.size() > 1) islands.insert(group_of[id]);
+    }
+    words.add_if(parts.size() > 1, "an island splits");
+    words.add_if(islands.size() > 1, "an island splits into islands");
+  }
+}
+
+// How near each law's bound came, in three classes.
+void add_bounds(const Trace& trace, Words& words) {
+  if (trace.external || !trace.failure.empty()) return;
+  for (const Relation& law : relations()) {
+    if (!law.is_law) continue;
+    const Judgement one = law.judge(trace);
+    for (const double percent : {50.0, 90.0, 99.0}) {
+      if (one.outcome == Outcome::kHeld && one.bound > 0 && 100 * one.value >= percent * one.bound)
+        words.add(std::string(law.name) + " reaches " + std::to_string(std::lround(percent)) + " % of its bound");
+    }
+  }
+}
+
+// before: the groups of the step before, which those of this one replace.
+void add_step(const Trace& trace, std::size_t k, std::vector<TouchingGroup>& before, Words& words) {
   const TracedStep& step = trace.steps[k];
   words.count(step.counters.contacts, "contacts");
   if (trace.scene.world.method == sim::Method::kThesis) words.count(step.counters.substeps, "substeps");
   std::uint64_t islands = 0, largest = 0;
-  for (const TouchingGroup& group : groups_of(trace, k)) {
+  std::vector<TouchingGroup> groups = groups_of(trace, k);
+  for (const TouchingGroup& group : groups) {
     if (group.bodies.size() > 1) ++islands;
     largest = std::max<std::uint64_t>(largest, group.bodies.size());
   }
+  add_splits(trace, k, before, groups, words);
+  before = std::move(groups);
   words.count(islands, "islands");
   words.count(largest > 1 ? largest : 0, "bodies in an island");
   for (const sim::Command& input : step.inputs) words.add(std::string("input ") + name_of(input));
@@ -102,7 +148,9 @@ void add_step(const Trace& trace, std::size_t k, Words& words) {
 std::vector<std::string> features_of(const Trace& trace) {
   Words words(trace.scene.world.method);
   add_start(trace, words);
-  for (std::size_t k = 0; k < trace.steps.size(); ++k) add_step(trace, k, words);
+  std::vector<TouchingGroup> groups;
+  for (std::size_t k = 0; k < trace.steps.size(); ++k) add_step(trace, k, groups, words);
+  add_bounds(trace, words);
   return words.sorted();
 }
 
