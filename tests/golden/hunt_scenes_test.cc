@@ -150,10 +150,14 @@ TEST(HuntFeatures, AnIslandSplitsWhereItsBodiesPartAwake) {
   EXPECT_TRUE(does(parted, "layered: an island splits"));
   EXPECT_FALSE(does(parted, "layered: an island splits into islands"));
   // Asleep nothing meets, and no island has split.
-  const auto stack = hunt::features_of(traced(
-      "[world]\nsteps = 200\n[[box]]\nid = 1\nposition = [0, 0, 0.5]\n[[box]]\nid = 2\nposition = [0, 0, 1.5]\n"));
-  EXPECT_TRUE(does(stack, "layered: a body falls asleep"));
-  EXPECT_FALSE(does(stack, "layered: an island splits"));
+  for (const std::string method : {"thesis", "layered"}) {
+    const std::string stack = "[world]\nsteps = 300\nmethod = \"" + method +
+                              "\"\n[[box]]\nid = 1\nposition = [0, 0, 0.5]\n[[box]]\nid = 2\nposition = [0, 0, 1.5]\n";
+    const auto asleep = hunt::features_of(traced(stack.c_str()));
+    EXPECT_TRUE(does(asleep, method + ": a body falls asleep"));
+    EXPECT_TRUE(does(asleep, method + ": 2 bodies in an island or more"));
+    EXPECT_FALSE(does(asleep, method + ": an island splits"));
+  }
 }
 
 TEST(HuntFeatures, TellHowNearALawsBoundWas) {
