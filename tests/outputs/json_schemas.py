@@ -128,7 +128,7 @@ SAMPLES = {
              ["lost.tumble", "--step", "12"], ["a.tumble", "--steps", "3:4", "--body", "1"]],
     "render": [["a.tumble", "-o", "a.png", "--size", "64x48"], ["a.tumble", "-o", "pictures", "--every", "20", "--size", "64x48"]],
     "check": [["tower", "--report", "report"], ["--report", "report2", "--suite", "golden"], ["tower", "--require", "exact",
-              "--report", "report3"]],
+              "--report", "report3"], ["tower", "--heavy", "--report", "report4"]],
     "bisect": [["a.tumble", "c.tumble"], ["a.tumble", "b.tumble"]],
     "bless": [["--dry-run", "--suite", "golden", "--reason", "none", "new"], ["--dry-run", "--suite", "golden", "--reason",
               "none", "tower"]],
