@@ -1,6 +1,7 @@
 // Sessions of two builds whose bits differ: how far their measures may be apart.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,30 @@ TEST(HuntApart, AValueBesideNoneIsBeyondEveryBound) {
   EXPECT_EQ(one.outcome, Outcome::kBroken);
   EXPECT_NE(one.what.find("there"), std::string::npos) << one.what;
   EXPECT_NE(one.what.find("none (never)"), std::string::npos) << one.what;
+  EXPECT_EQ(describe(one).find("allowed"), std::string::npos)
+      << "no distance is beyond such a bound: " << describe(one);
   EXPECT_EQ(judge_pair(sliding("0.0"), sliding("0.0"), {"rest_time", 100, 0}).outcome, Outcome::kNotApplicable);
+}
+
+TEST(HuntApart, AValueThatOneSessionGetsLaterIsComparedAtTheEnd) {
+  // Both rest at last, the smoother one later.
+  const Judgement one = judge_pair(sliding("0.9"), sliding("0.6"), {"rest_time", 1e-3, 0});
+  EXPECT_EQ(one.outcome, Outcome::kBroken);
+  EXPECT_EQ(one.what.find("none"), std::string::npos) << one.what;
+  EXPECT_GT(one.value, 1e-3);
+  EXPECT_LT(one.value, 1);
+}
+
+TEST(HuntApart, ABodyThatOneSessionLacksHasNoPlace) {
+  const hunt::Trace here = traced(sliding("0.3").c_str());
+  std::vector<replay::StepRecord> other = records_of(here);
+  for (std::size_t k = 0; k < 3; ++k) other[k].states.position.x[0] += 0.25;
+  other[3].states.position.x[0] = std::nan("");
+  const Judgement one = SessionPair(here, other).judge({"place", 0.1, 0});
+  EXPECT_EQ(one.outcome, Outcome::kBroken);
+  EXPECT_EQ(one.step, 0U);
+  EXPECT_NE(one.what.find("farthest after step 3, body 4, which has no place in one session"), std::string::npos)
+      << one.what;
 }
 
 TEST(HuntApart, ReadsBounds) {

@@ -111,11 +111,14 @@ Judgement SessionPair::judge_place(const ApartBound& bound) const {
     out.outcome = Outcome::kHeld;
     return out;
   }
-  const std::string farthest =
-      "farthest after step " + std::to_string(worst - places_.begin()) + ", body " + std::to_string(worst->body);
-  return broken(static_cast<std::uint64_t>(first - places_.begin()), first->body,
-                "before anything met, its place is " + rounded(first->distance, "m") + " from that there; " + farthest,
-                worst->distance, allowed, "m");
+  const auto step = static_cast<std::uint64_t>(first - places_.begin());
+  if (!std::isfinite(first->distance))
+    return broken(step, first->body, "before anything met, one session alone has the body, or its place is no number");
+  std::string what = "before anything met, its place is " + rounded(first->distance, "m") +
+                     " from that there; farthest after step " + std::to_string(worst - places_.begin()) + ", body " +
+                     std::to_string(worst->body);
+  if (!std::isfinite(worst->distance)) return broken(step, first->body, what + ", which has no place in one session");
+  return broken(step, first->body, std::move(what), worst->distance, allowed, "m");
 }
 
 Judgement SessionPair::judge_metric(const ApartBound& bound) const {
@@ -131,16 +134,20 @@ Judgement SessionPair::judge_metric(const ApartBound& bound) const {
     out.outcome = Outcome::kHeld;
     return out;
   }
+  // On the way one session may have a value and the other not yet: that counts where it is so in the end.
+  const bool has_both = std::isfinite(end.apart());
   std::size_t first = last, worst = last;
   for (std::size_t k = last + 1; k-- > 0;) {
+    if (has_both && !std::isfinite(both(k).apart())) continue;
     if (both(k).beyond(bound)) first = k;
     if (both(k).times(bound) > both(worst).times(bound)) worst = k;
   }
   std::string what = bound.measure + " is " + both_text(both(first), bound);
   if (worst != first)
     what += ", farthest apart after step " + std::to_string(worst + 1) + ": " + both_text(both(worst), bound);
-  return broken(first + 1, places_[first + 1].body, std::move(what), both(worst).apart(), both(worst).allowed(bound),
-                row.unit);
+  const sim::BodyId body = places_[first + 1].body;
+  if (!has_both) return broken(first + 1, body, std::move(what));
+  return broken(first + 1, body, std::move(what), both(worst).apart(), both(worst).allowed(bound), row.unit);
 }
 
 }  // namespace tumble::hunt
