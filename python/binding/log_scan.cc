@@ -54,13 +54,16 @@ py::dict scan_steps(LogFile& log) {
   columns["step"] = array_of(std::move(step));
   columns["time"] = array_of(std::move(time));
   columns["dt"] = array_of(std::move(dt));
-  columns["pairs"] = array_of(std::move(pairs));
-  columns["contacts"] = array_of(std::move(contacts));
-  columns["substeps"] = array_of(std::move(substeps));
+  const bool counted = !log.header().engine;  // another engine's recorder tells none of these
+  if (counted) {
+    columns["pairs"] = array_of(std::move(pairs));
+    columns["contacts"] = array_of(std::move(contacts));
+    columns["substeps"] = array_of(std::move(substeps));
+  }
   columns["kinetic"] = array_of(std::move(kinetic));
   columns["potential"] = array_of(std::move(potential));
   columns["inputs"] = array_of(std::move(inputs));
-  columns["removed"] = array_of(std::move(removed));
+  if (counted) columns["removed"] = array_of(std::move(removed));
   columns["hash"] = py::cast(hash);
   return columns;
 }

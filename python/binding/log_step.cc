@@ -11,15 +11,19 @@ namespace {
 /// The number of bodies of a block, as numpy counts.
 py::ssize_t rows(const StateBlock& block) { return static_cast<py::ssize_t>(block.id.size()); }
 
-py::dict counters_of(const sim::StepCounters& counters) {
+/// Without those that the log of another engine does not tell.
+py::dict counters_of(const sim::StepCounters& counters, const LogFile& log) {
+  const bool counted = !log.header().engine;
   py::dict fields;
-  fields["pairs"] = counters.pairs;
-  fields["contacts"] = counters.contacts;
-  fields["substeps"] = counters.substeps;
+  if (counted) {
+    fields["pairs"] = counters.pairs;
+    fields["contacts"] = counters.contacts;
+    fields["substeps"] = counters.substeps;
+  }
   fields["kinetic"] = counters.kinetic;
   fields["potential"] = counters.potential;
   fields["inputs"] = counters.inputs;
-  fields["removed"] = counters.removed;
+  if (counted) fields["removed"] = counters.removed;
   return fields;
 }
 
@@ -120,7 +124,7 @@ void add_step(py::module_& module) {
       .def_property_readonly("dt", [](const StepData& s) { return s.record.dt; })
       .def_property_readonly("hash", [](const StepData& s) { return to_string(s.record.state_hash); })
       .def_property_readonly("states", [](const StepData& s) { return s.states; })
-      .def("counters", [](const StepData& s) { return counters_of(s.record.counters); })
+      .def("counters", [](const StepData& s, const LogFile& log) { return counters_of(s.record.counters, log); })
       .def("inputs", &inputs_of)
       .def("phase_words", &phase_words)
       .def("channel", &channel_of)

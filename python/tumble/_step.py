@@ -86,11 +86,11 @@ class Step:
 
     @property
     def counters(self):
-        """Counts and energies (J): pairs, contacts, substeps, kinetic, potential, inputs, removed. None for the first
-        state of a log, which no step made."""
+        """Counts and energies (J): pairs, contacts, substeps, kinetic, potential, inputs, removed; of another engine
+        kinetic, potential and inputs. None for the first state of a log, which no step made."""
         if self.step == self._log.first_step:
             return None
-        return MappingProxyType(self._data.counters())
+        return MappingProxyType(self._data.counters(self._log._file))
 
     @property
     def phase_hashes(self):

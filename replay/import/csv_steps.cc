@@ -35,12 +35,15 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   start.scene.name = "session";
   start.scene.camera.focus = sim::focus_on_target(start.scene.camera);
   if (like) start.scene = like->scene;
-  if (like && columns->time == kNone) start.dt = like->scene.world.dt;
+  const bool tells_dt = columns->time != kNone || columns->dt != kNone;
+  if (like && !tells_dt && !like->dt_varies) start.dt = like->scene.world.dt;
   Result<CsvSettings> read = read_settings(*table, options.settings, std::move(start));
   if (!read.ok()) return read.error();
   CsvSteps steps(*std::move(table), *std::move(read), *columns);
-  if (columns->time == kNone && columns->dt == kNone && !steps.settings_.dt) {
-    return steps.at_line(steps.table_.line(), "found neither a column time nor a line \"# dt: …\"; wanted one");
+  if (!tells_dt && !steps.settings_.dt) {
+    const std::string of_like = like ? ", because the steps of the session to be like differ in length" : "";
+    return steps.at_line(steps.table_.line(),
+                         "found neither a column time or dt nor a line \"# dt: …\"; wanted one" + of_like);
   }
   if (const std::size_t kinds = steps.settings_.kinds.size(); kinds > 0 && kinds != columns->channels.size()) {
     return steps.at_line(

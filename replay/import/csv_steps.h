@@ -30,6 +30,7 @@ namespace tumble::replay {
 struct SessionLike {
   sim::SceneDef scene;             ///< of the header
   std::vector<sim::BoxDef> boxes;  ///< all bodies of the session, thrown ones included; ascending id
+  bool dt_varies = false;          ///< its steps differ in length, so that it has no dt for a table
 };
 
 /// The rows of one step.

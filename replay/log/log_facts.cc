@@ -45,6 +45,8 @@ class FactCounter {
     ++facts_.steps_read;
     told_.add(record);
     clock_.add_step(record.dt);
+    facts_.dt_min = std::min(facts_.dt_min.value_or(record.dt), record.dt);
+    facts_.dt_max = std::max(facts_.dt_max.value_or(record.dt), record.dt);
     facts_.final_hash = record.state_hash;
     for (const sim::Command& input : record.inputs) {
       ++facts_.inputs[sim::name_of(input)];

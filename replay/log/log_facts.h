@@ -18,6 +18,7 @@ struct LogFacts {
   std::uint64_t bodies_thrown = 0;
   std::uint64_t steps_read = 0;
   double seconds = 0;                              ///< simulated
+  std::optional<double> dt_min, dt_max;            ///< s, of the steps read; none without one
   std::map<std::string, std::uint64_t> inputs;     ///< by kind: "throw", "push", …
   std::optional<std::uint64_t> moving_body_steps;  ///< bodies neither frozen nor static, summed over the steps; none
                                                    ///< for a log that lacks the states of a step

@@ -13,10 +13,8 @@ namespace {
 
 /// The energies of the whole world, to which a lost body belongs.
 void spoil(EnergyMetrics& energy) {
-  for (double* value : {&energy.initial, &energy.final, &energy.gain_max, &energy.removed, &energy.inputs}) {
-    *value = kNotANumber;
-  }
-  energy.gain_ratio = kNotANumber;
+  for (double* value : {&energy.initial, &energy.final, &energy.gain_max, &energy.inputs}) *value = kNotANumber;
+  energy.gain_ratio = energy.removed = kNotANumber;
 }
 
 }  // namespace
@@ -36,6 +34,7 @@ SeriesRow in_unit_of(const EngineAxes& axes, SeriesRow row) {
 Measurer::Measurer(const LogHeader& header, const MeasureOptions& options)
     : channels_(header.declared.channels), scene_(header.scene), options_(options) {
   shapes_.add(header.declared.bodies, header.declared.shapes);
+  if (!header.engine) row_.removed = 0;  // no recorder of another engine tells what it dissipates
 }
 
 void Measurer::add(const StepRecord& record) {
@@ -59,7 +58,7 @@ void Measurer::add(const StepRecord& record) {
   row_.kinetic = meter_->kinetic_by_shapes(record.states).value_or(record.counters.kinetic);
   row_.potential = record.counters.potential;
   row_.inputs += record.counters.inputs;
-  row_.removed += record.counters.removed;
+  if (row_.removed) *row_.removed += record.counters.removed;
   // Energy put in by inputs is no gain of the solver's, so it is subtracted before the minimum is taken. The minimum
   // runs along with the session: a gain after a loss counts, even if the total stays below that of the start.
   const double own = row_.kinetic + row_.potential - row_.inputs;

@@ -32,7 +32,7 @@ struct EnergyMetrics {
   double final = 0;                          ///< J
   double gain_max = 0;                       ///< J
   std::optional<double> gain_ratio;          ///< none where something was gained from nothing
-  double removed = 0;                        ///< J, all steps
+  std::optional<double> removed;             ///< J, all steps; none for another engine, which tells no dissipation
   double inputs = 0;                         ///< J, all steps
   std::optional<double> bounce_height_loss;  ///< of the first height; none without a bounce
   std::uint64_t bounces = 0;
@@ -84,9 +84,9 @@ struct SeriesRow {
   double time = 0;  ///< s, since state 0 of the log
   double kinetic = 0;
   double potential = 0;
-  double inputs = 0;   ///< since the start
-  double removed = 0;  ///< since the start
-  double gain = 0;     ///< over the running minimum of the energy without the work of inputs
+  double inputs = 0;              ///< since the start
+  std::optional<double> removed;  ///< since the start; none for another engine
+  double gain = 0;                ///< over the running minimum of the energy without the work of inputs
   std::uint64_t lost = 0;
   std::optional<double> overlap;     ///< m, in the steps that MeasureOptions::overlap_every asks for
   std::vector<ChannelRow> channels;  ///< those of the log, by ascending names

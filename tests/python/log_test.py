@@ -168,6 +168,14 @@ def test_what_an_engine_wrote_is_read_to_the_bit(engine_log):
         ]
 
 
+def test_counters_that_no_engine_tells_are_left_out(engine_log, wall):
+    untold = {"pairs", "contacts", "substeps", "removed"}
+    log = tumble.Log(engine_log)
+    assert not untold & set(log.counters.dtype.names) and "kinetic" in log.counters.dtype.names
+    assert not untold & set(log.steps[log.last_step].counters)
+    assert untold <= set(tumble.Log(wall).counters.dtype.names)
+
+
 def test_channels_over_steps(engine_log):
     channels = tumble.Log(engine_log).channels
     assert (channels["force"].scope, channels["force"].unit, channels["seed"].type) == ("body", "N", "uint64")

@@ -12,6 +12,7 @@
 #include "replay/log/byte_memory.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
+#include "replay/measure/metric_bound.h"
 #include "tests/support/engine_log_in_c.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/compare.h"
@@ -154,6 +155,19 @@ TEST(EngineLog, InputsAreLoggedAndTheirEnergyCounted) {
   const Result<Metrics> metrics = measure_log(log);
   ASSERT_TRUE(metrics.ok()) << metrics.error().message;
   EXPECT_EQ(metrics->bodies, 2U);
+}
+
+// No recorder tells it, so a bound on it would hold for every session.
+TEST(EngineLog, DissipationIsNotToldAndNotZero) {
+  LogReader log = falling({"toy", "1"}, 1, 5);
+  std::optional<double> in_row = 0;
+  const Result<Metrics> metrics = measure_log(log, {}, [&](const SeriesRow& row) { in_row = row.removed; });
+  ASSERT_TRUE(metrics.ok()) << metrics.error().message;
+  EXPECT_LT(metrics->energy.final, metrics->energy.initial - 1);
+  EXPECT_EQ(metrics->energy.removed, std::nullopt);
+  EXPECT_EQ(in_row, std::nullopt);
+  const MetricBound bound = *parse_metric_bound("removed<=0");
+  EXPECT_FALSE(bound.holds(bound.metric->value(*metrics)));
 }
 
 TEST(EngineLog, CannotBeReplayedOnlyCompared) {

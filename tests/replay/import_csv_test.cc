@@ -222,7 +222,7 @@ TEST(ImportCsv, ErrorsNameFileLineAndColumn) {
     EXPECT_NE(error_of(text, options).find(wanted), std::string::npos) << error_of(text, options);
   };
   expect("", "t.csv:1:1: found no line with the names");
-  expect(table("", good), "t.csv:1:1: found neither a column time nor a line \"# dt: …\"");
+  expect(table("", good), "t.csv:1:1: found neither a column time or dt nor a line \"# dt: …\"");
   expect(table("# dt: 0.1\n# upp: y\n", good), "t.csv:2:1: found key \"upp\", wanted one of engine, version");
   expect(table("# dt: soon\n", good), "t.csv:1:1: dt: found \"soon\", wanted a number of seconds > 0");
   expect(table("# dt: 0.1\n", good + "1,1,0,0,1x,1,0,0,0,0,0,0,0,0,0\n"),

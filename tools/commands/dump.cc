@@ -1,10 +1,7 @@
 // tumble dump: bodies at one step, or one body over many.
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +10,7 @@
 #include <vector>
 
 #include "replay/arrays/pair_cell.h"
+#include "replay/export/table/table_frame.h"
 #include "replay/measure/measure_options.h"
 #include "replay/session/state_source.h"
 #include "src/base/schema_name.h"
@@ -43,7 +41,6 @@ struct DumpCommand {
 };
 
 // The numbers of a body, in the order of the columns: position, orientation, velocity, angular velocity.
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kNumbers = 13;
 constexpr std::array<const char*, kNumbers> kNames = {
     "position.x", "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z",
@@ -55,12 +52,6 @@ std::array<double, kNumbers> numbers_of(const replay::EngineAxes& axes, const Bo
   const sim::Vec3 w = axes.their_axial(s.spin[i]);
   const sim::Quat q = axes.their_turn(s.orientation[i]);
   return {x.x(), x.y(), x.z(), q.w, q.x, q.y, q.z, v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
-}
-
-/// A cell that reads back to the same bits. Readers of tables know "inf" and the usual "nan".
-std::string cell_of(double number) {
-  const bool plain = !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNaN);
-  return plain ? exact(number) : exact_bits(number);
 }
 
 // Prints the rows of a dump in one of the three forms.
@@ -79,22 +70,25 @@ class Output {
 
 class CsvOutput : public Output {
  public:
-  explicit CsvOutput(Told told) : Output(std::move(told)) {
+  /// head: of the table. with_dt: the steps differ in length, which the last column then tells.
+  CsvOutput(Told told, const std::string& head, bool with_dt) : Output(std::move(told)), with_dt_(with_dt) {
+    std::cout << head;
     if (needs_escapes(told_.declared, told_.bodies)) std::cout << replay::kEscapesLine;
     std::cout << "step,id";
     for (const char* name : kNames) std::cout << ',' << name;
     std::cout << ",frozen";
     for (const std::string& name : extra_columns(told_.declared, told_.bodies)) std::cout << ',' << name;
-    std::cout << '\n';
+    std::cout << (with_dt_ ? ",dt\n" : "\n");
   }
   void add(const replay::StepRecord& step, std::size_t row) override {
     const BodyStates& states = step.states;
     std::string line = std::to_string(step.step) + ',' + std::to_string(states.id[row]);
-    for (const double number : numbers_of(told_.axes, states, row)) line += ',' + cell_of(number);
+    for (const double number : numbers_of(told_.axes, states, row)) line += ',' + replay::number_cell(number);
     line += states.frozen[row] != 0 ? ",1" : ",0";
     for (const std::string& cell : extra_cells(told_.declared, told_.bodies, step.extras, states.id[row])) {
       line += ',' + cell;
     }
+    if (with_dt_) line += ',' + replay::number_cell(step.dt);
     std::cout << line << '\n';
   }
   void end_step(const replay::StepRecord& step, std::uint64_t body) override {
@@ -112,6 +106,7 @@ class CsvOutput : public Output {
   }
 
  private:
+  bool with_dt_;
   std::vector<std::string> left_out_;
 };
 
@@ -206,8 +201,11 @@ class TextOutput : public Output {
   bool has_extras_ = false;
 };
 
-std::unique_ptr<Output> make_output(const DumpCommand& options, Told told) {
-  if (options.csv) return std::make_unique<CsvOutput>(std::move(told));
+std::unique_ptr<Output> make_output(const DumpCommand& options, replay::LogReader& log) {
+  Told told = {log.header().axes(), log.header().declared, log.bodies()};
+  if (options.csv) {  // one state leads to no step
+    return std::make_unique<CsvOutput>(std::move(told), table_head(log.header()), !options.step && dt_varies(log));
+  }
   if (options.json) return std::make_unique<JsonOutput>(!options.step, std::move(told));
   return std::make_unique<TextOutput>(std::move(told));
 }
@@ -261,8 +259,7 @@ Result<Exit> dump(DumpCommand options) {
     if (!exists.ok()) return exists.error();
     if (!*exists) return no_such_body(options, *log, *range);
   }
-  const std::unique_ptr<Output> output =
-      make_output(options, {log->header().axes(), log->header().declared, log->bodies()});
+  const std::unique_ptr<Output> output = make_output(options, *log);
   for (std::uint64_t k = range->first; k <= range->last && std::cout; ++k) {
     const Result<const replay::StepRecord*> record = source.read(k);
     if (!record.ok()) return record.error();
@@ -287,7 +284,9 @@ Action declare_dump(Arguments& arguments) {
       "Numbers of --csv and --json read back to the same bits; the table for people is rounded. JSON has no NaN\n"
       "and no infinity: the value is a text with the 64 bits then, \"nan(0x7ff8000000000000)\".\n"
       "An imported session is printed in the axes and the unit of its table, with the names of its bodies and its\n"
-      "channels; --csv leaves out channels of pairs and contacts.\n\n"
+      "channels; --csv leaves out contacts, begins with lines \"# key: value\" of axes and precision where they are "
+      "not\n"
+      "ours, and ends with a column dt where the steps differ in length.\n\n"
       "Examples:\n"
       "  tumble dump brick_wall.tumble --step 0\n"
       "  tumble dump brick_wall.tumble --steps 0:300 --body 9000 --csv");

@@ -53,7 +53,14 @@ std::string channels_text(const replay::Declared& declared) {
   return text;
 }
 
-void add_header(Listing& listing, const LogHeader& header) {
+/// The scene's dt, or what the steps have in its place.
+std::string dt_text(const LogHeader& header, const LogFacts& facts) {
+  if (!facts.dt_min || *facts.dt_min == *facts.dt_max)
+    return exact(facts.dt_min.value_or(header.scene.world.dt)) + " s";
+  return exact(*facts.dt_min) + " to " + exact(*facts.dt_max) + " s, varies";
+}
+
+void add_header(Listing& listing, const LogHeader& header, const LogFacts& facts) {
   listing.add("scene", printable(header.scene.name));
   if (!header.scene.title.empty()) listing.add("title", printable(header.scene.title));
   if (!header.scene.category.empty()) listing.add("category", printable(header.scene.category));
@@ -74,7 +81,7 @@ void add_header(Listing& listing, const LogHeader& header) {
   } else {
     listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
   }
-  listing.add("dt", exact(header.scene.world.dt) + " s");
+  listing.add("dt", dt_text(header, facts));
   if (!header.phases.empty()) listing.add("phases", printable(joined(header.phases, ", ")));
   if (!header.engine) {
     const std::uint32_t every = header.hashes.every;
@@ -89,7 +96,7 @@ void add_header(Listing& listing, const LogHeader& header) {
 void print_text(const LogReader& log, const LogFacts& facts, const LogCondition& condition) {
   Listing listing;
   listing.add("log", log.name());
-  add_header(listing, log.header());
+  add_header(listing, log.header(), facts);
   std::string bodies = std::to_string(facts.bodies_at_start + facts.bodies_thrown);
   if (facts.bodies_thrown > 0) bodies += ", " + std::to_string(facts.bodies_thrown) + " of them thrown in";
   listing.add("bodies", bodies);
@@ -156,6 +163,8 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
   json["steps"] = log.step_count();
   json["first_state"] = log.first_state();
   json["seconds"] = facts.seconds;
+  json["dt_min"] = facts.dt_min ? Json(*facts.dt_min) : Json(nullptr);
+  json["dt_max"] = facts.dt_max ? Json(*facts.dt_max) : Json(nullptr);
   json["chunks"] = log.chunks().size();
   json["inputs"] = Json::object();
   for (const auto& [kind, count] : facts.inputs) json["inputs"][kind] = count;

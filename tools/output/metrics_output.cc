@@ -169,9 +169,8 @@ void SeriesFile::add(const replay::SeriesRow& row) {
   const replay::StateMeasures& state = row.state;
   std::string line = std::to_string(row.step);
   const auto add_over = [&line](std::size_t bodies, double value) { line += ',' + (bodies > 0 ? exact(value) : ""); };
-  for (const double value : {row.time, row.kinetic, row.potential, row.inputs, row.removed, row.gain}) {
-    line += ',' + exact(value);
-  }
+  for (const double value : {row.time, row.kinetic, row.potential, row.inputs}) line += ',' + exact(value);
+  line += ',' + (row.removed ? exact(*row.removed) : "") + ',' + exact(row.gain);
   for (const double value : {state.lateral_max, state.lateral_rms}) add_over(state.of_start, value);
   line += ',' + (state.column_spread ? exact(*state.column_spread) : "");
   for (const double value : {state.drift_max, state.tilt_max, state.top_drop_max}) add_over(state.of_start, value);

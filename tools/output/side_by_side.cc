@@ -56,7 +56,7 @@ Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const
 /// The kind of the two logs, which decides what can be compared.
 struct Kind {
   bool same_words = false;     ///< phase words and contacts mean the same
-  bool imported = false;       ///< by another engine, which counts neither pairs nor contacts
+  bool imported = false;       ///< by another engine, which counts neither pairs nor contacts nor what it dissipates
   bool binary32 = false;       ///< ULPs are those of floats
   replay::EngineAxes axes;     ///< that name fields
   bool values_in_one = false;  ///< the other holds hashes: only the lengths of steps are in both
@@ -84,7 +84,7 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const
   number("kinetic", a.counters.kinetic, b.counters.kinetic);
   number("potential", a.counters.potential, b.counters.potential);
   number("input_energy", a.counters.inputs, b.counters.inputs);
-  number("removed_energy", a.counters.removed, b.counters.removed);
+  if (!kind.imported) number("removed_energy", a.counters.removed, b.counters.removed);
   add("state_hash", to_string(a.state_hash), to_string(b.state_hash), a.state_hash == b.state_hash);
   return rows;
 }
