@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "golden/judge/judge_metrics.h"
 #include "replay/measure/metric_list.h"
 #include "src/base/text.h"
 
@@ -137,11 +138,19 @@ std::string movement_text(const MetricResult& metric) {
   return metric.rule.name + ' ' + before + " → " + after;
 }
 
+bool differs_from_golden_alone(const MetricResult& metric) {
+  return !metric.pass && !metric.rule.is_law && !metric.spread && metric.rule.value && metric.value &&
+         fault_of_value(metric.rule, metric.value, metric.unit).empty();
+}
+
 Change change_of(const CaseResult& result) {
   const Outcome exact = result.verdict(VerdictKind::kExact).outcome;
   const Outcome behaviour = result.verdict(VerdictKind::kBehaviour).outcome;
   const Outcome image = result.verdict(VerdictKind::kImage).outcome;
-  if (behaviour == Outcome::kFail || image == Outcome::kFail) return Change::kOutOfBounds;
+  const auto within = [](const MetricResult& m) { return m.pass || differs_from_golden_alone(m); };
+  const bool beyond = behaviour == Outcome::kFail && (std::ranges::all_of(result.metrics, &MetricResult::pass) ||
+                                                      !std::ranges::all_of(result.metrics, within));
+  if (beyond || image == Outcome::kFail) return Change::kOutOfBounds;
   if (exact == Outcome::kNone || behaviour == Outcome::kNone) return Change::kNotJudged;
   const bool pixels = std::ranges::any_of(result.pictures, [](const PictureResult& p) { return p.pixels > 0; });
   const bool moved = exact == Outcome::kFail || moved_metrics(result) > 0 || pixels;

@@ -15,9 +15,13 @@ namespace tumble::golden {
 enum class Change : std::uint8_t {
   kNone = 0,          ///< no bit, no metric and no pixel moved
   kWithinBounds = 1,  ///< something moved, and every metric and picture is within its bounds
-  kOutOfBounds = 2,   ///< a metric or a picture failed
+  kOutOfBounds = 2,   ///< a metric is out of its bounds, or a picture failed
   kNotJudged = 3,     ///< bits or metrics were not judged
 };
+
+/// Whether a metric failed though it lies within its bounds: with the same bits its golden has another value, so the
+/// golden was edited or measured by another version.
+bool differs_from_golden_alone(const MetricResult& metric);
 
 Change change_of(const CaseResult& result);
 const char* to_string(Change change);  ///< "unchanged", "moved within bounds", "out of bounds", "not judged"

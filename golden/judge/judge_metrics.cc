@@ -19,11 +19,15 @@ std::string beyond(const char* side, double value, double bound, const std::stri
 /// The fault of a value, compared with the blessed one as well; empty if it has none.
 std::string fault_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit,
                      bool same_bits) {
-  if (!value && rule.value && same_bits) return "null although no bit moved: the measuring changed";
+  if (!value && rule.value && same_bits)
+    return "null, and the golden has a value, though no bit moved: the golden was edited, or measured "
+           "by another version";
   if (std::string fault = fault_of_value(rule, value, unit); !fault.empty() || !value) return fault;
   if (!rule.value && !rule.may_be_null) return "no value yet: bless the case";
   const bool same = replay::same_value(value, rule.value);
-  if (same_bits && !same) return "another value although no bit moved: the measuring changed";
+  if (same_bits && !same)
+    return "within its bound, but not the golden's value though no bit moved: the golden was edited, or measured by "
+           "another version; bless the case";
   return "";
 }
 

@@ -44,8 +44,8 @@ struct SuiteResult {
   [[nodiscard]] std::size_t with(Change change) const;
 };
 
-/// "3 of 45 cases failed; verdicts failed: exact 2", "45 cases passed: 43 unchanged, 2 moved within bounds" or
-/// "nothing was judged: shard 5 of 5 has no case".
+/// "3 of 45 cases failed; verdicts failed: exact 2" (of these cases), "45 cases passed: 43 unchanged, 2 moved within
+/// bounds" or "nothing was judged: shard 5 of 5 has no case".
 std::string headline(const SuiteResult& result);
 
 }  // namespace tumble::golden

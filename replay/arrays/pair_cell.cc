@@ -1,7 +1,12 @@
 #include "replay/arrays/pair_cell.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -82,6 +87,13 @@ std::string unescaped_cell(std::string_view text) {
     out += text[i];
   }
   return out;
+}
+
+std::string number_cell(double number) {
+  constexpr double kUsualNan = std::numeric_limits<double>::quiet_NaN();
+  const bool plain =
+      !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kUsualNan);
+  return plain ? exact(number) : exact_bits(number);
 }
 
 }  // namespace tumble::replay

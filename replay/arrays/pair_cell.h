@@ -29,4 +29,7 @@ std::string text_in_cell(std::string_view cell);
 inline constexpr std::string_view kEscapesKey = "escapes", kEscapesValue = "percent";
 inline constexpr std::string_view kEscapesLine = "# escapes: percent\n";
 
+/// Reads back to the same bits. Readers of tables know "inf" and the usual "nan".
+std::string number_cell(double number);
+
 }  // namespace tumble::replay

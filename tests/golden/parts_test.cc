@@ -24,6 +24,19 @@ TEST(Canaries, AreAllCaughtByTheJudge) {
   for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.message;
 }
 
+TEST(Headline, CountsTheVerdictsOfCasesThatFailed) {
+  SuiteResult result;
+  result.canaries = {{"one", true, "", "suite"}};
+  result.cases.resize(2);
+  CaseResult &moved = result.cases[0], &broken = result.cases[1];
+  for (CaseResult* one : {&moved, &broken}) one->require = {VerdictKind::kBehaviour};
+  moved.verdict(VerdictKind::kExact).outcome = Outcome::kFail;
+  moved.verdict(VerdictKind::kBehaviour).outcome = Outcome::kPass;
+  broken.verdict(VerdictKind::kExact).outcome = Outcome::kPass;
+  broken.verdict(VerdictKind::kBehaviour).outcome = Outcome::kFail;
+  EXPECT_EQ(headline(result), "1 of 2 cases failed; verdicts failed: behaviour 1");
+}
+
 Judged always_pleased(replay::LogReader& log, const Reference& reference) {
   Judged judged = judge(log, reference);
   judged.result.problems.clear();

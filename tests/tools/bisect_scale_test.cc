@@ -141,6 +141,24 @@ TEST(BisectScale, AsksAgainWhereAnAnswerIsNotRepeatable) {
   EXPECT_NE(text.out.find("is not repeatable (4 of 5 times yes"), std::string::npos) << text.out;
 }
 
+// An engine whose sessions depend on how often it ran. Its first runs may agree by chance: the fault is the engine's
+// all the same, and not that of the log.
+TEST(BisectScale, AnEndWhoseOwnSessionsDifferIsSaidToBeUnrepeatable) {
+  for (const char* runs_alike : {"1", "3"}) {
+    const Workshop shop;
+    const History history(shop, {.commits = 6, .fault = 4, .broken = {}});
+    shop.write("flaky.sh", "cd '" + shop.path("") + "' && echo run >>runs\nn=$(($(wc -l <runs) / " +
+                               std::string(runs_alike) +
+                               "))\nexec '" TUMBLE_PROGRAM
+                               "' record \"$1\" -o \"$2\" --quiet --set \"box.1.velocity=[0.1$n,0.0,0.0]\"\n");
+    const Outcome outcome = history.bisect(
+        {"session.tumble", "--jobs", "1", "--run", "sh '" + shop.path("flaky.sh") + "' {scene} {log}", "--json"});
+    EXPECT_EQ(outcome.exit, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find("is not repeatable: its own sessions differ from each other"), std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST(BisectScale, TakesTheMostFrequentAnswer) {
   const Answer yes{true, true, "yes", {}, {}}, no{true, false, "no", {}, {}}, none{false, false, "crashed", {}, {}};
   EXPECT_EQ(answer_of({yes, yes}).not_repeatable, "");
@@ -151,6 +169,10 @@ TEST(BisectScale, TakesTheMostFrequentAnswer) {
   EXPECT_FALSE(tie.asked);
   EXPECT_EQ(tie.not_repeatable, "1 of 2 times yes, 1 times no");
   EXPECT_EQ(answer_of({none, none}).message, "crashed");
+  Answer early = no, late = no;
+  early.message = early.outcome = "step 3", late.message = late.outcome = "step 9";
+  EXPECT_EQ(answer_of({early, late}).other, "step 9");
+  EXPECT_EQ(answer_of({late, late}).other, "");
 }
 
 }  // namespace

@@ -67,15 +67,41 @@ class Bisection {
       if (Status ok = could_ask(finding_.tested.back(), k == 0 ? "good" : "bad"); !ok.ok()) return ok;
     }
     if (finding_.tested[0].answer.yes != finding_.tested[1].answer.yes) return {};
+    for (const std::size_t k : {0U, 1U}) {
+      if (Status ok = look_for_other_outcomes(k); !ok.ok()) return ok;
+    }
     const Answer &good = finding_.tested[0].answer, &bad = finding_.tested[1].answer;
     const bool of_log = !settings_.metric && settings_.case_name.empty();
     if (of_log && !good.yes && good.message != bad.message) {
-      return bad_input("neither end repeats the log, and their sessions differ from each other (" +
-                       settings_.question() + "): good: " + good.message + "; bad: " + bad.message +
-                       "; the log is of another revision: record LOG anew at the good revision and ask about that");
+      return bad_input(
+          "neither end repeats the log, and their sessions differ from each other (" + settings_.question() +
+          "): good: " + good.message + "; bad: " + bad.message +
+          "; each did the same whenever it was asked: the log is of another revision, or of an engine whose "
+          "sessions depend on more than the revision; record LOG anew at the good revision, twice, and "
+          "ask about it if 'tumble diff' says that the two are the same");
     }
     return bad_input("the question (" + settings_.question() + ") has the same answer for both ends: good: " +
                      finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
+  }
+
+  /// Two runs may differ from the log in the same way by chance, so an end that does not repeat it is asked again.
+  Status look_for_other_outcomes(std::size_t end) {
+    constexpr int kMoreTimes = 3;
+    const Tested& tested = finding_.tested[end];
+    std::string other = tested.answer.other;
+    for (int k = 0; k < kMoreTimes && other.empty() && !tested.answer.yes && !tested.answer.outcome.empty(); ++k) {
+      const Result<std::vector<Asked>> again = askers_.ask({tested.commit.commit});
+      if (!again.ok()) return again.error();
+      const Answer& answer = again->front().answer;
+      other = differ(tested.answer, answer) || (answer.asked && answer.yes) ? answer.message : answer.other;
+    }
+    if (other.empty() && tested.answer.not_repeatable.empty()) return {};
+    const std::string runs =
+        other.empty() ? tested.answer.not_repeatable : "one run: " + tested.answer.message + "; another: " + other;
+    return bad_input("the " + std::string(end == 0 ? "good" : "bad") + " revision " + tested.commit.shortly() +
+                     " is not repeatable: its own sessions differ from each other (" + runs +
+                     "), so no revision can be told from it by this question (" + settings_.question() +
+                     "); make the engine repeatable first, or ask for a bound with --metric");
   }
 
   /// Looks for the good end: 1, 2, 4 … first parents back, at last the root.

@@ -15,6 +15,8 @@ Json answer_json(const std::string& commit, const Asked& asked) {
           {"words", answer.message},
           {"metric", answer.metric ? number_json(*answer.metric) : Json(nullptr)},
           {"not_repeatable", answer.not_repeatable},
+          {"outcome", answer.outcome},
+          {"other", answer.other},
           {"seconds", asked.seconds}};
 }
 
@@ -25,6 +27,8 @@ Asked asked_from(const Json& row) {
   asked.answer.message = row.value("words", "");
   asked.answer.metric = number_of(row.value("metric", Json()));
   asked.answer.not_repeatable = row.value("not_repeatable", "");
+  asked.answer.outcome = row.value("outcome", "");
+  asked.answer.other = row.value("other", "");
   asked.seconds = row.value("seconds", 0.0);
   return asked;
 }

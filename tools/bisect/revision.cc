@@ -57,14 +57,18 @@ std::string same_text(const replay::ComparisonScope& scope) {
   return text;
 }
 
-Answer skipped(const std::string& why) { return {false, false, why, {}, {}}; }
-Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}, {}}; }
+Answer skipped(const std::string& why) { return {false, false, why, {}, {}, {}, {}}; }
+Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}, {}, {}, {}}; }
 
 constexpr std::size_t kAsksIfDifferent = 5;
 
 bool alike(const Answer& a, const Answer& b) { return a.asked == b.asked && a.yes == b.yes; }
 
 }  // namespace
+
+bool differ(const Answer& a, const Answer& b) {
+  return !a.outcome.empty() && !b.outcome.empty() && a.outcome != b.outcome;
+}
 
 Answer answer_of(const std::vector<Answer>& answers) {
   SIM_CHECK(!answers.empty(), answers.size());
@@ -80,6 +84,8 @@ Answer answer_of(const std::vector<Answer>& answers) {
   };
   const auto found = std::ranges::find_if(answers, wanted);
   Answer answer = found == answers.end() ? skipped("its answer is not repeatable") : *found;
+  const auto unlike = std::ranges::find_if(answers, [&](const Answer& one) { return differ(answer, one); });
+  if (unlike != answers.end()) answer.other = unlike->message;
   if (most == std::ssize(answers)) return answer;
   answer.not_repeatable =
       std::to_string(yes) + " of " + std::to_string(answers.size()) + " times yes, " + std::to_string(no) + " times no";
@@ -200,7 +206,10 @@ Result<Answer> Asker::ask_replay() {
   if (*same) return answered(true, "the same in every bit");
   if (last_exit_ != 1) return skipped(why);
   const Json report = json_of(place_.file("replay.out"));
-  return answered(false, where(report.is_object() ? report.value("first", Json()) : Json()));
+  const Json first = report.is_object() ? report.value("first", Json()) : Json();
+  Answer answer = answered(false, where(first));
+  answer.outcome = first.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return answer;
 }
 
 /// Judges the session that the revision recorded. This build judges, so that all revisions are judged alike.
@@ -214,8 +223,11 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
     if (!report.ok()) return skipped(report.error().message);
     replay::name_by_own_axes(wanted->header(), log->header(), *report, nullptr);
     if (report->computed_again()) return answered(true, same_text(report->scope));
-    return answered(
+    Answer answer = answered(
         false, report->first ? replay::describe(*report->first) : report->unequal("the log", "the revision's session"));
+    const Result<const replay::StepRecord*> last = log->read_hashes(log->last_step());
+    answer.outcome = answer.message + (last.ok() ? "; " + to_string((*last)->state_hash) : "");
+    return answer;
   }
   const Result<replay::Metrics> metrics = replay::measure_log(*log, settings_.measure);
   if (!metrics.ok()) return skipped(metrics.error().message);

@@ -22,9 +22,15 @@ struct Answer {
   std::string message;           ///< the reason, a line
   std::optional<double> metric;  ///< the value of the metric asked about
   std::string not_repeatable;    ///< "3 of 5 yes, 2 no": what it answered when asked again; empty: always the same
+  std::string outcome = {};      ///< of a session unlike the log: how it differs, with its last hash; else empty
+  std::string other = {};        ///< the message of another run with another outcome; empty: there was none
 };
 
-/// One answer of several to the same question: the most frequent one, and where they are not all alike not_repeatable.
+/// Whether both are of sessions unlike the log, and unlike each other.
+bool differ(const Answer& a, const Answer& b);
+
+/// One answer of several to the same question: the most frequent one, and where they are not all alike not_repeatable,
+/// or where they agree but their sessions do not, other.
 /// Of equally many, that it cannot be asked. Precondition (SIM_CHECK): at least one.
 Answer answer_of(const std::vector<Answer>& answers);
 

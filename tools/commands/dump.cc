@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "replay/arrays/pair_cell.h"
-#include "replay/export/table/table_frame.h"
 #include "replay/measure/measure_options.h"
 #include "replay/session/state_source.h"
 #include "src/base/schema_name.h"

@@ -106,12 +106,6 @@ std::string unit_in_column(const Channel& channel) {
   return unit.empty() && !brackets ? std::string() : " (" + unit + ')';
 }
 
-std::string number_cell(double number) {
-  const bool plain =
-      !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNotANumber);
-  return plain ? exact(number) : exact_bits(number);
-}
-
 std::string value_cell(const ChannelValue& value, ChannelKind kind) {
   if (const auto* wide = std::get_if<double>(&value)) return number_cell(*wide);
   if (const auto* narrow = std::get_if<float>(&value); narrow != nullptr && std::isinf(*narrow)) {

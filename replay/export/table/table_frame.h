@@ -44,9 +44,7 @@ std::string channel_column(const Channel& channel);
 /// does not fit there; left_out_of_tables() says so.
 std::string unit_in_column(const Channel& channel);
 
-/// Reads back to the same bits. Readers of tables know "inf" and the usual "nan".
-std::string number_cell(double number);
-/// Likewise of a value that is a number; of any other, its text.
+/// As number_cell() of a value that is a number; of any other, its text.
 std::string value_cell(const ChannelValue& value, ChannelKind kind);
 
 /// The cell of a channel of pairs: all values of the first body of `row`, "7=0.25 9=0.5".
