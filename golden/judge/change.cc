@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "golden/judge/judge_metrics.h"
 #include "replay/measure/metric_list.h"
 #include "src/base/text.h"
 
@@ -139,8 +138,10 @@ std::string movement_text(const MetricResult& metric) {
 }
 
 bool differs_from_golden_alone(const MetricResult& metric) {
-  return !metric.pass && !metric.rule.is_law && !metric.spread && metric.rule.value && metric.value &&
-         fault_of_value(metric.rule, metric.value, metric.unit).empty();
+  if (metric.pass || metric.rule.is_law || metric.spread || !metric.rule.value || !metric.value) return false;
+  const double value = *metric.value;
+  return std::isfinite(value) && !(metric.rule.max && value > *metric.rule.max) &&
+         !(metric.rule.min && value < *metric.rule.min);
 }
 
 Change change_of(const CaseResult& result) {
