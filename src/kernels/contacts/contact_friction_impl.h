@@ -46,6 +46,16 @@ struct Pressure {
   V sum, most;
 };
 
+// 1 / √x by Newton's method, from an estimate of the bits. Two iterations leave 5e-6 of it, three 4e-11, four the
+// rounding: for the few lanes of a vector far less time than a root and a division.
+template <int kIterations, class V>
+V inverse_root(V x) {
+  const V half = 0.5 * x;
+  V y = inverse_root_estimate(x);
+  for (int k = 0; k < kIterations; ++k) y = y * (1.5 - (half * y) * y);
+  return y;
+}
+
 // Coulomb's cones at the points of a manifold.
 template <class V, template <class> class B>
 class Cones {
@@ -60,25 +70,33 @@ class Cones {
   }
 
   // Sets how the points slip where the centre slips by `d`, and the sum of impulse times slip.
+  template <int kIterations>
   void slip(const Friction<V>& d) {
     const V magic = grid_of(most_ * ((magnitude(d.force1) + magnitude(d.force2)) + 2.0 * reach_ * magnitude(d.twist)));
-    work_ = fastest_ = V{};
+    work_ = V{};
+    longest_ = V{} + kStill;
     for (unsigned k = 0; k < m_.batch->count; ++k) {
       const V along1 = slip1_[k] = d.force1 - d.twist * q(k), along2 = slip2_[k] = d.force2 + d.twist * p(k);
-      const V speed = speed_[k] = square_root(along1 * along1 + along2 * along2);
-      fastest_ = larger(fastest_, where_pressed(k, speed));
-      work_ += to_grid(magic, m_.get(m_.points[k].impulse) * speed);
+      const V square = along1 * along1 + along2 * along2;
+      const V per_speed = per_speed_[k] = inverse_root<kIterations>(larger(V{} + 1.0 / (kStill * kStill), square));
+      const V impulse = m_.get(m_.points[k].impulse);
+      longest_ = smaller(longest_, impulse > 0.0 ? per_speed : longest_);
+      work_ += to_grid(magic, impulse * (square * per_speed));
     }
   }
   V work() const { return work_; }
 
-  // Adds to `matrix` the cones as if they were viscous: at `part` of the slip each gives all that it can.
-  void add_viscous(V part, FrictionMatrix<V>& matrix) {
-    constexpr double kSlowest = 1e-6;  // of the fastest point; a slower one hardly slips
-    const V slowest = part * fastest_ * kSlowest + 1e-150;
+  // Adds to `matrix` the cones as if they were viscous: at one in `per_part` of the slip each gives all that it can.
+  // Lanes outside `going` keep theirs.
+  template <class Mask>
+  void add_viscous(V per_part, Mask going, FrictionMatrix<V>& matrix) {
+    constexpr double kSlowest = 1e6;  // the fastest point is as many times as fast as one that hardly slips
+    const V slowest = longest_ * kSlowest;
     V largest = V{};
     for (unsigned k = 0; k < m_.batch->count; ++k) {
-      viscous_[k] = coefficient_ * m_.get(m_.points[k].impulse) / larger(slowest, part * speed_[k]);
+      const V impulse = m_.get(m_.points[k].impulse);
+      const V viscous = (coefficient_ * per_part) * (impulse * smaller(slowest, per_speed_[k]));
+      viscous_[k] = going ? viscous : viscous_[k];
       largest = larger(largest, viscous_[k]);
     }
     largest = largest * terms_of(m_);
@@ -105,8 +123,8 @@ class Cones {
     const V most = coefficient_ * most_, magic = grid_of(most), magic_1 = grid_of(2.0 * (most * reach_));
     Friction<V> f = {V{}, V{}, V{}};
     for (unsigned k = 0; k < m_.batch->count; ++k) {
-      const V limit = coefficient_ * m_.get(m_.points[k].impulse), wanted = viscous_[k] * speed_[k];
-      const V here = wanted > limit ? limit / speed_[k] : viscous_[k];
+      const V most_here = (coefficient_ * m_.get(m_.points[k].impulse)) * per_speed_[k];
+      const V here = smaller(viscous_[k], most_here);
       const V force1 = here * slip1_[k], force2 = here * slip2_[k];
       f.force1 -= to_grid(magic, force1);
       f.force2 -= to_grid(magic, force2);
@@ -125,8 +143,10 @@ class Cones {
 
   const Manifolds<V, B>& m_;
   V p_, q_, coefficient_;
-  V reach_ = V{}, most_ = V{}, work_ = V{}, fastest_ = V{};
-  V slip1_[kPointsMax], slip2_[kPointsMax], speed_[kPointsMax], viscous_[kPointsMax];
+  static constexpr double kStill = 1e150;  // s/m: how long a point that stands still takes for a metre
+
+  V reach_ = V{}, most_ = V{}, work_ = V{}, longest_ = V{};  // longest_: s/m, of the fastest point
+  V slip1_[kPointsMax], slip2_[kPointsMax], per_speed_[kPointsMax], viscous_[kPointsMax] = {};
 };
 
 // Of all frictions that the points can give, each within its cone, the one that leaves the slip with the least energy
@@ -137,21 +157,29 @@ class Cones {
 template <class V, template <class> class B, class Mask>
 Friction<V> cut_to_cones(const Manifolds<V, B>& m, const Pressure<V>& pressure, const FrictionMatrix<V>& inverse,
                          const Friction<V>& stop, Mask asked) {
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 3, kRough = 2, kExact = 4;  // rounds; iterations for 5e-6 of a speed and for all its digits
   constexpr double kLeastPart = 0.3;
+  constexpr double kNear =
+      1e-6;  // of its square: a round that turns the slip by no more than a thousandth was the last
   ContactBatch& batch = *m.batch;
   const V sliding = m.get(batch.sliding), one = V{} + 1.0, dynamic = m.get(batch.friction_dynamic);
   const V holds = sliding == one ? dynamic : m.get(batch.friction);
   Cones<V, B> cones(m, pressure, dynamic);
   Friction<V> d = inverse.against(stop);
-  for (int round = 0; round < kRounds; ++round) {
-    cones.slip(d);
-    const V best = -(dot(stop, d) + dynamic * cones.work()) / dot(d, inverse.times(d));
+  auto going = asked;
+  for (int round = 0; round < kRounds && any(going); ++round) {
+    cones.template slip<kRough>(d);
+    const V gain = -(dot(stop, d) + dynamic * cones.work()), stiff = dot(d, inverse.times(d));
     FrictionMatrix<V> matrix = inverse;
-    cones.add_viscous(larger(V{} + kLeastPart, best), matrix);
-    d = matrix.against(stop);
+    cones.add_viscous(stiff / larger(kLeastPart * stiff, gain), going, matrix);
+    const Friction<V> next = matrix.against(stop);
+    const V part = gain / stiff;
+    const Friction<V> turned = {next.force1 - part * d.force1, next.force2 - part * d.force2,
+                                next.twist - part * d.twist};
+    d = {going ? next.force1 : d.force1, going ? next.force2 : d.force2, going ? next.twist : d.twist};
+    going = going & (dot(turned, inverse.times(turned)) > kNear * dot(next, inverse.times(next)));
   }
-  cones.slip(d);
+  cones.template slip<kExact>(d);
   const auto slips = asked & (dot(stop, d) + holds * cones.work() < 0.0);
   if (!any(slips)) return stop;
   m.set(batch.sliding, slips ? one : sliding);

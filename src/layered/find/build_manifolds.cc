@@ -27,9 +27,10 @@ class Builder {
         scratch_(scratch),
         out_(out),
         dt_(dt_s),
+        substep_(state.def.dt / state.def.substeps),
         fall_(falling_reach(state.def, dt_s)),
-        sag_(falling_reach(state.def, state.def.dt / state.def.substeps)),
-        pushing_s_(dt_s + state.def.dt / state.def.substeps),
+        sag_(falling_reach(state.def, substep_)),
+        pushing_s_(dt_s + substep_),
         paths_(state, scratch, dt_s),
         ahead_(state, scratch, pushing_s_),
         recall_(memory, first) {
@@ -102,7 +103,8 @@ class Builder {
     turn_ = turning(lo) + turning(hi);
     const std::size_t before = out_.manifolds.size();
     const double slop = std::min(kSlop, kSlopOfHalfExtent * smallest_);
-    slop_ = std::min(slop + sag_, slack_of(smallest_));
+    const double sliding = sliding_overlap(slop, length(approach_) * substep_), most = slack_of(smallest_);
+    open_ = {std::min(slop + sag_, most), std::min((holds_one(scratch_, lo, hi) ? sliding : slop) + sag_, most)};
     const bool passing = in_reach() && leave_pushing_axes(lo, hi);
     add_preferred(lo, hi);
     return passing || out_.manifolds.size() > before;
@@ -112,17 +114,17 @@ class Builder {
   bool in_reach() const {
     const double closes = length(approach_) * (dt_ - pair_->later) + turn_;
     const double apart = separation_of(*pair_);
-    return apart >= -slop_ && apart - closes <= slack_of(smallest_) + fall_;
+    return apart >= -open_.most && apart - closes <= slack_of(smallest_) + fall_;
   }
 
   // Leaves of the axes those that may push. Returns whether the pair passes.
   bool leave_pushing_axes(BodyIndex lo, BodyIndex hi) {
     const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
-    if (!may_open_two(a, b, *pair_, slop_)) return false;
+    if (!may_open_two(a, b, *pair_, open_.most)) return false;
     tested_ = *pair_;
     pair_ = &tested_;
     const Vec3 way = approach_ * (dt_ - pair_->later);
-    return leave_pushing(a, b, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, slop_, tested_);
+    return leave_pushing(a, b, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, open_, tested_);
   }
 
   // Adds what a pair needs in the step: manifolds, or a place among the fast pairs.
@@ -268,14 +270,14 @@ class Builder {
   const Bodies& bodies_;
   const Scratch& scratch_;
   ManifoldList& out_;
-  double dt_;
-  double fall_;              // m, way that gravity may add within the step
-  double sag_;               // m, within a substep
-  bool pushes_ = false;      // whether a point of the pair at hand does
-  double pushing_s_;         // s, within which points are pushed that would close: a sweep looks a substep ahead
-  FreePaths paths_, ahead_;  // over the step; and over pushing_s_
-  double smallest_ = 0, slop_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
-  Vec3 approach_ = Vec3::Zero();               // m/s, of the higher row against the lower
+  double dt_, substep_;             // s
+  double fall_, sag_;               // m, ways that gravity may add within the step and within a substep
+  double pushing_s_;                // s, within which points are pushed that would close: a sweep looks a substep ahead
+  FreePaths paths_, ahead_;         // over the step; and over pushing_s_
+  bool pushes_ = false;             // whether a point of the pair at hand does
+  double smallest_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
+  OpenOverlap open_{};
+  Vec3 approach_ = Vec3::Zero();  // m/s, of the higher row against the lower
   TestedPair tested_{};
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;

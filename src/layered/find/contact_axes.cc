@@ -12,11 +12,11 @@ double separation_of(const TestedPair& pair) {
   return pair.edge.axes != 0 ? std::max(face, pair.edge.separation) : face;
 }
 
-bool may_open_two(const BoxFrame& a, const BoxFrame& b, const TestedPair& pair, double slop) {
-  if (std::max(pair.second_a, pair.second_b) >= -slop) return true;
-  if (pair.edge.axes != 0 && pair.edge.separation >= -slop) return true;
+bool may_open_two(const BoxFrame& a, const BoxFrame& b, const TestedPair& pair, double overlap) {
+  if (std::max(pair.second_a, pair.second_b) >= -overlap) return true;
+  if (pair.edge.axes != 0 && pair.edge.separation >= -overlap) return true;
   if (pair.face_a.axes == 0 || pair.face_b.axes == 0) return false;
-  if (std::min(pair.face_a.separation, pair.face_b.separation) < -slop) return false;
+  if (std::min(pair.face_a.separation, pair.face_b.separation) < -overlap) return false;
   const int of_a = std::countr_zero(pair.face_a.axes), of_b = std::countr_zero(pair.face_b.axes) - 3;
   return std::fabs(dot(a.axes[of_a], b.axes[of_b])) < kOtherDirection;
 }
@@ -40,9 +40,10 @@ ContactAxes preferred_axes(const TestedPair& pair, int order, double smallest) {
   return {on_a ? a.axes : AxisSet{0}, on_b ? static_cast<AxisSet>(b.axes >> 3U) : AxisSet{0}, {}};
 }
 
-bool leave_pushing(const BoxFrame& a, const BoxFrame& b, const PairMotion& motion, double slop, TestedPair& pair) {
+bool leave_pushing(const BoxFrame& a, const BoxFrame& b, const PairMotion& motion, const OpenOverlap& overlap,
+                   TestedPair& pair) {
   const BoxPair boxes(a, b, pair.offset);
-  const PushingAxes pushing = pushing_axes(boxes, motion, slop);
+  const PushingAxes pushing = pushing_axes(boxes, motion, overlap);
   if (pushing.all) return false;
   const auto best = [&](AxisSet of) { return boxes.best(static_cast<AxisSet>(pushing.axes & of)); };
   pair.face_a = best(kFacesOfA);

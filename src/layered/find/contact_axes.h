@@ -11,7 +11,7 @@ namespace tumble::sim {
 double separation_of(const TestedPair& pair);
 
 /// Whether two directions may be open (PushingAxes): a quick no for most pairs that rest on one another.
-bool may_open_two(const BoxFrame& a, const BoxFrame& b, const TestedPair& pair, double slop);
+bool may_open_two(const BoxFrame& a, const BoxFrame& b, const TestedPair& pair, double overlap);
 
 /// Which box of a pair is the reference: > 0: a, < 0: b, 0: each of one manifold, since the two are exactly alike.
 /// offset: x_b − x_a, m.
@@ -28,7 +28,8 @@ struct ContactAxes {
 ContactAxes preferred_axes(const TestedPair& pair, int order, double smallest);
 
 /// Leaves of the axes those that may push (PushingAxes). Returns whether the pair passes.
-bool leave_pushing(const BoxFrame& a, const BoxFrame& b, const PairMotion& motion, double slop, TestedPair& pair);
+bool leave_pushing(const BoxFrame& a, const BoxFrame& b, const PairMotion& motion, const OpenOverlap& overlap,
+                   TestedPair& pair);
 
 /// The axes that kept two boxes apart until they met, edges that repeat a face included; without edges of which two
 /// tie.

@@ -13,9 +13,6 @@ namespace {
 
 constexpr std::size_t kFastPairsAPart = 32;  // that pay for one more worker
 
-bool holds_one(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
-  return scratch.held[lo] != 0 || (hi != kGround && scratch.held[hi] != 0);
-}
 // Bodies in contact fly on no free path, so their points are kept by tangents as far as that may be.
 bool holds_both(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
   return scratch.held[lo] != 0 && (hi == kGround || scratch.held[hi] != 0);
@@ -50,6 +47,10 @@ bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyInd
 }
 
 }  // namespace
+
+bool holds_one(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
+  return scratch.held[lo] != 0 || (hi != kGround && scratch.held[hi] != 0);
+}
 
 bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   const double bend = bend_of(paths, lo, hi);

@@ -8,6 +8,9 @@
 
 namespace tumble::sim {
 
+/// Whether a contact pressed one of the bodies at the end of the last step. hi may be kGround.
+bool holds_one(const Scratch& scratch, BodyIndex lo, BodyIndex hi);
+
 /// Whether the contacts of a pair must be found along its free paths: corners leave their tangents by more than the
 /// slop or, where contacts hold bodies, by more than the slack. A free body that passes one in contact is followed from
 /// the slop on too. hi may be kGround.

@@ -22,11 +22,12 @@ double turned_along(const BoxFrame& box, const Vec3& turn, const Vec3& n) {
 
 class OpenAxes {
  public:
-  OpenAxes(const BoxPair& boxes, double slop) {
+  OpenAxes(const BoxPair& boxes, const OpenOverlap& overlap) {
     for (int axis = 0; axis < kAxisCount; ++axis) {
       const BestAxes now = boxes.best(only(axis));
-      if (now.axes != 0 && now.separation >= -slop)
-        axes_[count_++] = {axis, boxes.normal(axis), now.separation + slop, 0};
+      if (now.axes == 0 || now.separation < -overlap.most) continue;
+      const double open = std::min(now.separation + overlap.most, std::max(now.separation, 0.0) + overlap.resting);
+      axes_[count_++] = {axis, boxes.normal(axis), open, 0};
     }
   }
 
@@ -78,8 +79,8 @@ class OpenAxes {
 
 }  // namespace
 
-PushingAxes pushing_axes(const BoxPair& boxes, const PairMotion& motion, double slop) {
-  OpenAxes open(boxes, slop);
+PushingAxes pushing_axes(const BoxPair& boxes, const PairMotion& motion, const OpenOverlap& overlap) {
+  OpenAxes open(boxes, overlap);
   if (!open.two_directions([](const OpenAxis&) { return true; })) return {};
   open.move(boxes, motion);
   const AxisSet staying = open.staying();
