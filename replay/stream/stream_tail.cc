@@ -106,31 +106,54 @@ class JoinedSource : public ByteSource {
   Bytes rest_;
 };
 
+bool is_tail(const Bytes& tail) {
+  return tail.size() >= kStreamTailHeadBytes &&
+         std::memcmp(tail.data(), kStreamTailMagic.data(), kStreamTailMagic.size()) == 0;
+}
+
+/// With the hash of the frame that the tail names as the one before it.
+Result<Extent> extent_before(const ByteSource& stream, const Bytes& tail) {
+  return extent_of(stream, load<std::uint64_t>(tail.data() + 24));
+}
+
+bool follows(const Extent& extent, const Bytes& tail) {
+  return extent.next > 0 && extent.tag == load<std::uint64_t>(tail.data() + 16) &&
+         extent.asked_hash == load<std::uint64_t>(tail.data() + 32);
+}
+
+Bytes read_tail(const std::string& path) {
+  Bytes tail;
+  if (Result<std::unique_ptr<ByteSource>> file = open_file_source(path + kStreamTailSuffix); file.ok()) {
+    tail.resize(std::min<std::uint64_t>((*file)->size(), kStreamTailBytesMax));
+    if (!(*file)->read(0, tail).ok()) tail.clear();
+  }
+  return tail;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ByteSource>> with_tail(std::unique_ptr<ByteSource> stream, const Bytes& tail) {
-  const bool is_tail = tail.size() >= kStreamTailHeadBytes &&
-                       std::memcmp(tail.data(), kStreamTailMagic.data(), kStreamTailMagic.size()) == 0;
-  if (!is_tail || stream->size() < kStreamPreludeBytes) return stream;
-  const auto before = load<std::uint64_t>(tail.data() + 24);
-  const Result<Extent> extent = extent_of(*stream, before);
+  if (!is_tail(tail) || stream->size() < kStreamPreludeBytes) return stream;
+  const Result<Extent> extent = extent_before(*stream, tail);
   if (!extent.ok()) return extent.error();
-  const bool follows = !extent->finished && extent->next > 0 && extent->tag == load<std::uint64_t>(tail.data() + 16) &&
-                       extent->asked_hash == load<std::uint64_t>(tail.data() + 32);
-  if (!follows) return stream;
+  if (extent->finished || !follows(*extent, tail)) return stream;
   Bytes frames = new_frames(tail, extent->tag, extent->next);
   if (frames.empty()) return stream;
   return std::unique_ptr<ByteSource>(
       std::make_unique<JoinedSource>(std::move(stream), extent->bytes, std::move(frames)));
 }
 
+bool has_own_tail(const std::string& path) {
+  const Bytes tail = read_tail(path);
+  const Result<std::unique_ptr<ByteSource>> stream = open_file_source(path);
+  if (!is_tail(tail) || !stream.ok() || (*stream)->size() < kStreamPreludeBytes) return false;
+  const Result<Extent> extent = extent_before(**stream, tail);
+  return extent.ok() && follows(*extent, tail);
+}
+
 // The tail is read first: frames that a recorder at work moves to the file meanwhile are then found there.
 Result<std::unique_ptr<ByteSource>> open_stream_source(const std::string& path) {
-  Bytes tail;
-  if (Result<std::unique_ptr<ByteSource>> file = open_file_source(path + kStreamTailSuffix); file.ok()) {
-    tail.resize(std::min<std::uint64_t>((*file)->size(), kStreamTailBytesMax));
-    if (!(*file)->read(0, tail).ok()) tail.clear();
-  }
+  const Bytes tail = read_tail(path);
   Result<std::unique_ptr<ByteSource>> stream = open_file_source(path);
   if (!stream.ok()) return stream.error();
   return with_tail(*std::move(stream), tail);

@@ -24,6 +24,10 @@ inline constexpr std::size_t kStreamTailBytesMax = 64U << 20;  ///< that a reade
 /// Errors: of reading `stream`.
 Result<std::unique_ptr<ByteSource>> with_tail(std::unique_ptr<ByteSource> stream, const std::vector<std::byte>& tail);
 
+/// Whether the file beside a stream's that has the name of its tail is one, and of this stream: frames that a file of
+/// another session holds are passed over. False where a file cannot be read.
+bool has_own_tail(const std::string& path);
+
 /// Opens a stream's file together with its tail, if it has one. Errors: as open_file_source().
 Result<std::unique_ptr<ByteSource>> open_stream_source(const std::string& path);
 

@@ -81,6 +81,11 @@ TEST_F(Tail, HasTheLastStepsOfAProcessThatDied) {
   std::filesystem::rename(tail_, shop_.path("elsewhere"));
   const Outcome alone = shop_.run({"import", "run.tumblestream"});
   EXPECT_NE(alone.err.find("run.tumblestream.tail: found no such file"), std::string::npos) << alone.err;
+  std::string other = shop_.read("elsewhere");
+  other[16] = static_cast<char>(other[16] ^ 1);  // the tag of another session
+  shop_.write("run.tumblestream.tail", other);
+  const Outcome beside = shop_.run({"import", "run.tumblestream"});
+  EXPECT_NE(beside.err.find("run.tumblestream.tail: is not the tail of this stream"), std::string::npos) << beside.err;
 }
 
 TEST_F(Tail, IsGoneOnceTheStreamIsClosed) {

@@ -261,6 +261,7 @@ TEST(BisectCommand, SaysWhatIsWrongWithItsArguments) {
   const Outcome same = history.bisect({"session.tumble", "--metric", "lateral_max<=100"});
   EXPECT_EQ(same.exit, 2);
   EXPECT_NE(same.err.find("the same answer for both ends"), std::string::npos) << same.err;
+  EXPECT_NE(same.err.find("the clone and the answers stay in"), std::string::npos) << same.err;
 }
 
 TEST(BisectCommand, ABoundThatJudgesNoStepOrNoBodyCannotBeAsked) {

@@ -69,6 +69,16 @@ void write_with_older_phase_hashes(const std::string& from, const std::string& t
   ASSERT_TRUE((*writer)->finish().ok());
 }
 
+TEST(DiffCommand, ALogThatAgreesWithNoOtherIsSaidToBeAlone) {
+  const Workshop shop;
+  record_two(shop);
+  shop.record_small("c", {"--set", "input.1.velocity=[0.0, 7.5, 0.0]"});
+  const Outcome three = shop.run({"diff", "a.tumble", "b.tumble", "c.tumble"});
+  EXPECT_EQ(three.exit, 1) << three.err;
+  EXPECT_NE(three.out.find("  alone    a.tumble\n"), std::string::npos) << three.out;
+  EXPECT_EQ(three.out.find("  agree "), std::string::npos) << three.out;
+}
+
 TEST(DiffCommand, SaysThatOlderPhaseHashesWereNotCompared) {
   const Workshop shop;
   const std::string scene = TUMBLE_SOURCE_DIR "/tests/data/frozen.toml";

@@ -61,6 +61,17 @@ TEST(EngineReplay, KeepsItsSessionInPlaceOfALogAlone) {
   }
 }
 
+// Nothing but the number of steps that came tells what the engine had planned.
+TEST(EngineReplay, AnEngineThatLeavesEarlyHasNotPlannedLess) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  write_falling(shop, "--steps 18");
+  const Outcome left = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(left.exit, 1) << left.out;
+  EXPECT_TRUE(says(left.out, "18")) << left.out;
+  EXPECT_FALSE(says(left.out, "planned steps")) << left.out;
+}
+
 TEST(EngineReplay, SaysHowFarABrokenEngineCame) {
   const Workshop shop;
   record_falling(shop, "a");

@@ -183,7 +183,12 @@ Result<Exit> find_commit(const BisectCommand& options) {
   if (!place.ok()) return place.error();
   const Result<bisect::Finding> finding = search(*settings, *place, options.json);
   if (!finding.ok()) {
-    if (!process::InterruptGuard::interrupted()) return finding.error();
+    if (!process::InterruptGuard::interrupted()) {
+      if (options.keep || options.resume) return finding.error();
+      std::cerr << "tumble bisect: note: the clone and the answers stay in " << printable(place->root())
+                << ", for --resume or to be deleted\n";
+      return finding.error();
+    }
     return cannot_finish(finding.error().message +
                          "; the answers are kept: repeat the command with --resume to continue");
   }

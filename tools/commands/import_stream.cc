@@ -77,7 +77,15 @@ void print_listing(const StreamFiles& files, const StreamReader& stream, const r
 void advise_about_tail(const StreamFiles& files, const StreamReader& stream, replay::StreamImport& done) {
   const std::string tail = files.stream + replay::kStreamTailSuffix;
   std::error_code error;
-  if (stream.condition().finished || stream.condition().damage || std::filesystem::exists(tail, error)) return;
+  if (stream.condition().finished || stream.condition().damage) return;
+  if (std::filesystem::exists(tail, error)) {
+    if (replay::has_own_tail(files.stream)) return;
+    done.warnings.push_back(
+        tail +
+        ": is not the tail of this stream, and was passed over; if there is one beside the original "
+        "stream, put it here: it has the last steps");
+    return;
+  }
   done.warnings.push_back(tail +
                           ": found no such file; if there is one beside the original stream, put it here: it has " +
                           "the last steps");

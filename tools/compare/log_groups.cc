@@ -150,7 +150,10 @@ void print_groups(const std::vector<std::string>& paths, const std::vector<repla
   }
   for (std::size_t g = 0; g < found.groups.size(); ++g) {
     const LogGroup& group = found.groups[g];
-    std::cout << (g > 0 && found.has_majority() ? "  odd      " : "  agree    ") << names_text(paths, group.logs);
+    const char* what = g > 0 && found.has_majority() ? "  odd      "
+                       : group.logs.size() == 1      ? "  alone    "
+                                                     : "  agree    ";
+    std::cout << what << names_text(paths, group.logs);
     if (group.against.first) std::cout << ": different from step " << group.against.first->step << " on";
     std::cout << '\n';
   }

@@ -108,8 +108,9 @@ Result<Exit> compare_with(replay::LogReader& log, replay::LogReader& again, cons
   Result<replay::DiffReport> report = replay::diff_logs(log, again, {}, bar.progress(), replay::Reading::kAll, until);
   bar.finish();
   if (!report.ok()) return report.error();
-  // A session that was cut short has planned its own length in no other way.
-  if (!ended) std::erase_if(report->headers, [](const auto& header) { return header.key == "planned steps"; });
+  // A session that was cut short, or whose engine left early, has planned its own length in no other way.
+  if (!ended || again.last_step() < log.last_step())
+    std::erase_if(report->headers, [](const auto& header) { return header.key == "planned steps"; });
   if (!ended && !report->first) {
     return cannot_finish(session.failure + "; the " + count_text(report->steps, "step") +
                          " that it wrote before, up to step " + std::to_string(until) + " of " +
