@@ -91,11 +91,11 @@ c=a(o(dn(i))),d=l(o(dn(e))),u=wr(t,c),h=wr(t,d);return t==10&&(c<0&&(u=Dt(u,-c))
 let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,yf={mode:3,pad:zh},Ao={pad:0,soft:null,mode:0},b_={min:Ao,max:Ao};function Ua(i,e,t,n){return za(
 t)?vf(i,e,t):(Ao.pad=t,Ao.soft=n?0:null,Ao.mode=n?3:0,vf(i,e,b_))}function Mt(i,e){return i??e}function M_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function vf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
-u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Un(dn(i),dn(e)),g=Ji(y),m=dn(g-p);(f<1e-24||m>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let x=f||y||1e3,w=Ji(x),b=wr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Un(a,S<_&&i>=_?_:_i(_,S)),
-R=x*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Un(I,P));return M==F&&M==0&&(F=100),[M,F]}var S_=new Intl.
-NumberFormat(Cr?__.language:"en-US"),Vh=i=>S_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Un=Jn.max,wr=Jn.pow,bf=Jn.sign,Ji=Jn.
-log10,Zf=Jn.log2,w_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Ji((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Un(i,e),
+u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Fn(dn(i),dn(e)),m=Ji(y),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
+0)));let x=f||y||1e3,w=Ji(x),b=wr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Fn(a,S<_&&i>=_?_:_i(_,S)),
+R=x*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Fn(I,P));return M==F&&M==0&&(F=100),[M,F]}var S_=new Intl.
+NumberFormat(Cr?__.language:"en-US"),Vh=i=>S_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Fn=Jn.max,wr=Jn.pow,bf=Jn.sign,Ji=Jn.
+log10,Zf=Jn.log2,w_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Ji((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Fn(i,e),
 t)}function Jf(i){return typeof i=="function"}function gt(i){return Jf(i)?i:()=>i}var T_=()=>{},Kf=i=>i,jf=(i,e)=>e,A_=i=>null,Sf=i=>!0,wf=(i,e)=>i==e,E_=/\.\d*?(?=9{6,}|0{6,})/gm,
 Zs=i=>{if(tp(i)||Ms.has(i))return i;let e="".concat(i),t=e.match(E_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
 concat(Zs(s),"e").concat(r)}return Dt(i,n)};function Xs(i,e){return Zs(Dt(Zs(i/e))*e)}function ka(i,e){return Zs(ai(Zs(i/e))*e)}function Qf(i,e){return Zs(Zn(Zs(
@@ -110,11 +110,11 @@ var I_=0,L_=1,N_=2;function D_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e
 s++]=null}}}function U_(i,e){if(B_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return k_(o[0])||(o=O_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
 n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:L_,f=[];for(let p=0;p<d.length;p++){
-let y=d[p],g=r.get(l[p]);y===null?h!=I_&&(u[g]=y,h==N_&&f.push(g)):u[g]=y}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+let y=d[p],m=r.get(l[p]);y===null?h!=I_&&(u[m]=y,h==N_&&f.push(m)):u[m]=y}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
 i):queueMicrotask;function O_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
 let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function B_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
 length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function k_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
-null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Un(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
+null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Fn(1,Zn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
 var ip=["January","February","March","April","May","June","July","August","September","October","November","December"],sp=["Sunday","Monday","Tuesday","Wednesda\
 y","Thursday","Friday","Saturday"];function rp(i){return i.slice(0,3)}var z_=sp.map(rp),V_=ip.map(rp),G_={MMMM:ip,MMM:V_,WWWW:sp,WWW:z_};function Mo(i){return(i<
 10?"0":"")+i}function H_(i){return(i<10?"00":i<100?"0":"")+i}var W_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
@@ -128,15 +128,15 @@ C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==X_?t=i:(t=new Date(i.toLocaleStri
 {aa}",Z_="{h}:{mm}",Mr=Z_+hp,Ef=Wh+Mr,Cf=":{ss}",Tt=null;function up(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Co(10,0,3,Fa).filter(op):Co(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
 o*25,o*50,o*100]),c=[[o,lp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Af,Tt,Tt,Tt,Tt,Tt,1],[s,cp,Af,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+hp,Ia,Tt,To,Tt,Tt,Tt,1],[t,Mr,Ia,Tt,To,Tt,
-Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,g,m)=>{let x=[],w=g>=o,b=g>=r&&
-g<o,C=u(p),S=Dt(C*i,3),_=Sh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let R=b?g/r:0,P=w?g/o:0,I=S==M?S:Dt(Sh(_.getFullYear()+P,_.
+Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,m,g)=>{let x=[],w=m>=o,b=m>=r&&
+m<o,C=u(p),S=Dt(C*i,3),_=Sh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let R=b?m/r:0,P=w?m/o:0,I=S==M?S:Dt(Sh(_.getFullYear()+P,_.
 getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=Sh(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
-x.push(I)}}else{let R=g>=s?s:g,P=Zn(p)-Zn(S),I=M+P+ka(S-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=g/n,G=h.axes[f]._space,Y=m/
-G;for(;I=Dt(I+g,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/g,3)*Y>=.7&&x.
+x.push(I)}}else{let R=m>=s?s:m,P=Zn(p)-Zn(S),I=M+P+ka(S-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
+G;for(;I=Dt(I+m,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/m,3)*Y>=.7&&x.
 push(I)}else x.push(I)}return x}}return[l,c,d]}var[J_,K_,j_]=up(1),[Q_,ex,tx]=up(.001);Co(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),g=y.getFullYear(),
-m=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=g!=l&&a[2]||m!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-g,c=m,d=x,u=w,h=b,f=C,S(y)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),m=y.getFullYear(),
+g=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=m!=l&&a[2]||g!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+m,c=g,d=x,u=w,h=b,f=C,S(y)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
 i)}var ix="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Lf(i,e){return(t,n,s,r)=>r==null?Oh:e(i(n))}function sx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
 points.width?t.points.stroke(i,e):null}function rx(i,e){return i.series[e].fill(i,e)}var ox={show:!0,live:!0,isolate:!1,mount:T_,markers:{show:!0,width:2,stroke:sx,
 fill:rx,dash:"solid"},idx:null,idxs:null,values:[]};function ax(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,So,s),zt(n,wo,s);let r=s/-2;zt(n,"marginLef\
@@ -152,7 +152,7 @@ side:2,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0},fx="Value",px="Ti
 return e.map(r=>r==null?"":Vh(r))}function gx(i,e,t,n,s,r,o){let a=[],l=Ms.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
 return a}function Ih(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Ji:Zf,d=Zn(c(t));s=wr(l,d),l==10&&(s=$s[gi(s,$s)]);let u=t,h=s*l;l==10&&(h=
 $s[gi(h,$s)]);do a.push(u),u=u+s,l==10&&!Ms.has(u)&&(u=Dt(u,Ms.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=$s[gi(h,$s)]));while(u<=n);return a}function _x(i,e,t,n,s,r,o){
-let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ih(i,e,Un(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ih(i,e,Un(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
+let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ih(i,e,Fn(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ih(i,e,Fn(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
 var _p=/./,xx=/[12357]/,yx=/[125]/,Uf=/1/,Lh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function vx(i,e,t,n,s){let r=i.
 axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?_p:l(7,o)-d>=c?xx:l(5,o)-d>=c?yx:Uf;if(u==Uf){let h=dn(l(1,o)-d);if(h<c)return Lh(
 e.slice().reverse(),a.distr,u,ai(c/h)).reverse()}return Lh(e,a.distr,u,1)}function bx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
@@ -165,56 +165,56 @@ idxs:[],path:null,clip:null};function Tx(i,e,t,n,s){return t/10}var yp={time:!0,
 ori:1}),zf={};function vp(i,e){let t=zf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
 t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(zf[i]=t)),t}var Er=1,Nh=2;function Js(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,y=a.height,g=i.valToPosH,m=i.valToPosV;return d.ori==0?t(s,l,c,d,u,g,m,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,m,g,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
+width,y=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,g,m,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
 n=0,s=Mt(i.bands,Gh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Ex(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ki(i,e,t,n,s,r){
-return Js(i,e,(o,a,l,c,d,u,h,f,p,y,g)=>{let m=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=m(u(a[b],c,y,f)),_=m(h(l[b],
-d,g,p)),M=m(u(a[C],c,y,f)),R=m(h(r==1?d.max:d.min,d,g,p)),P=new Path2D(s);return w(P,M,R),w(P,S,R),w(P,S,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Js(i,e,(o,a,l,c,d,u,h,f,p,y,m)=>{let g=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=g(u(a[b],c,y,f)),_=g(h(l[b],
+d,m,p)),M=g(u(a[C],c,y,f)),R=g(h(r==1?d.max:d.min,d,m,p)),P=new Path2D(s);return w(P,M,R),w(P,S,R),w(P,S,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:Zh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
 d/2,c,n+r+d)}return o}function Cx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Yh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
-0&&y<l?r(i[y]):f;let m=h+s;p=o>=0&&m>=0&&m<l?r(i[m]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>Xs(e,i)}function bp(i){let e=i==0?Ga:
+0&&y<l?r(i[y]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>Xs(e,i)}function bp(i){let e=i==0?Ga:
 Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
 var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Rr=(i,e,t)=>{i.lineTo(e,t)},Pr=(i,e,t)=>{i.lineTo(t,e)},Wa=bp(0),Zh=bp(1),Mp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},Sp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},wp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Tp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Ap(i){
-return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,g)=>{let{pxRound:m,points:x}=o,w,b;c.ori==0?(w=Ga,b=Mp):(w=Ha,b=Sp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
-_=Dt(S*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=m(u(a[G],c,y,f)),W=m(h(l[G],
-d,g,p));w(M,Y+S,W),b(M,Y,W,S,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,g)=>{
-[s,r]=Oa(l,s,r);let m=o.pxRound,x=z=>m(u(z,c,y,f)),w=z=>m(h(z,d,g,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,m)=>{let{pxRound:g,points:x}=o,w,b;c.ori==0?(w=Ga,b=Mp):(w=Ha,b=Sp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
+_=Dt(S*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
+d,m,p));w(M,Y+S,W),b(M,Y,W,S,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,m)=>{
+[s,r]=Oa(l,s,r);let g=o.pxRound,x=z=>g(u(z,c,y,f)),w=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
 clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[S==1?s:r]),Q=x(a[s]),se=x(a[r]),
 de=z(S==1?Q+1:se-1);for(let ue=S==1?s:r;ue>=s&&ue<=r;ue+=S){let ee=a[ue],xe=(S==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,w(W)),Y=D=G=
 W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,w(D),w(G),w(Y),w(W)),Ee!=null?(W=Ee,b(M,xe,w(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+S))}
 D!=null&&D!=G&&ce!=K&&C(M,K,w(D),w(G),w(Y),w(W))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?R=!0:D!=null&&b(M,x(a[z]),w(D))}let[I,F]=qh(t,n);if(o.
 fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=w(D),Y=x(a[s]),W=x(a[r]);S==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
-R&&z.push(...Yh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,g)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
-F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,g,m,x,w)=>{[a,l]=Oa(u,
-a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,g)),M=Q=>b(y(Q,f,w,m)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+R&&z.push(...Yh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,m)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
+F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,m,g,x,w)=>{[a,l]=Oa(u,
+a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,m)),M=Q=>b(y(Q,f,w,g)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
 flags:Er},I=P.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,R(I,Y,z)),R(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
 if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+S,R(I,W,z));let[ce,K]=qh(r,o);if(c.fill!=null||
 ce!=0){let Q=P.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);R(Q,W,de),R(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Yh(d,u,a,l,F,_,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,g,m,x,w)}return K!=0&&(P.band=K==2?[
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,m,g,x,w)}return K!=0&&(P.band=K==2?[
 Ki(r,o,a,l,I,-1),Ki(r,o,a,l,I,1)]:Ki(r,o,a,l,I,K)),P})}function Gf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
 if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Lx(i){i=i||Eo;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,g)=>Js(
-f,p,(m,x,w,b,C,S,_,M,R,P,I)=>{let F=m.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
-ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=m.fillTo(f,p,m.min,m.max,ue),me=F(
-_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(m.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,g),lt=new Map,new Set(ut).
-forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,g),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,g),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,g);Qt.unit==2?Ee=Re[0]*P:Ee=S(Re[0],
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,m)=>Js(
+f,p,(g,x,w,b,C,S,_,M,R,P,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
+ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
+_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,m),lt=new Map,new Set(ut).
+forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
+if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,m),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,m);Qt.unit==2?Ee=Re[0]*P:Ee=S(Re[0],
 b,P,M)-S(0,b,P,M),He=Gf(x,w,S,b,P,M,He),Me=He-Ee+D}else He=Gf(x,w,S,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
 (Pt?nt:0);Ee=F(Ph(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,g),$t=Re.values(f,p,y,g))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:g;Re>=y&&Re<=g;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
-null?x[Re]:Re,Se=S(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Un(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
-null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Un(0,T-nt),$,he),
-se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=m.width==0?m._fill:m._stroke??m._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
-let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,g,m)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,g,p)),b=W=>x(f(W,u,m,y)),C,S,_;d.ori==0?
+new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,m),$t=Re.values(f,p,y,m))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?y:m;Re>=y&&Re<=m;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
+null?x[Re]:Re,Se=S(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Fn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
+null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he),
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,m,g)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,m,p)),b=W=>x(f(W,u,g,y)),C,S,_;d.ori==0?
 (C=Ga,_=Rr,S=wp):(C=Ha,_=Pr,S=Tp);let M=d.dir*(d.ori==0?1:-1),R=w(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=w(K);
 I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,S,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
 fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Yh(l,c,r,o,M,w,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Va(W,d.ori,p,y,g,m)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
+Va(W,d.ori,p,y,m,g)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
@@ -222,13 +222,13 @@ d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++
 Ox=Ap();function Wf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Uh(r,o,e,t))}function Bx(i,e){return i.map((t,n)=>n==
 0?{}:on({},e,t))}function Uh(i,e,t,n){return on({},e==0?t:n,i)}function Rp(i,e,t){return e==null?Tr:[e,t]}var kx=Rp;function zx(i,e,t){return e==null?Tr:Ua(e,t,
 zh,!0)}function Pp(i,e,t,n){return e==null?Tr:Ba(e,t,i.scales[n].log,!1)}var Vx=Pp;function Ip(i,e,t,n){return e==null?Tr:kh(e,t,i.scales[n].log,!1)}var Gx=Ip;function Hx(i,e,t,n,s){
-let r=Un(Mf(i),Mf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ms.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Xf(i){let e,
+let r=Fn(Mf(i),Mf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ms.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Xf(i){let e,
 t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Wx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
 root=oi(K0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(e_,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(t_,c);Ys("\
-click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),g=Vf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let m=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),w=n.axes=Wf(i.axes||
+click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),m=Vf(
+y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),w=n.axes=Wf(i.axes||
 [],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let S=s==2?x[1].facets[0].scale:x[0].scale,_={axes:Yi,
 series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function R(v){let A=v.distr==3?N=>Ji(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>Mh(N,v.asinh):
 v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function P(v){let A=b[v];if(A==null){let N=(i.scales||Eo)[v]||Eo;if(N.
@@ -237,7 +237,7 @@ from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}el
 H=(fe,ve,Ne)=>ve==null?Tr:Ua(ve,Ne,ae)}A.range=gt(H||(U?kx:v==S?A.distr==3?Vx:A.distr==4?Gx:Rp:A.distr==3?Pp:A.distr==4?Ip:zx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
 A.clamp||Tx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),w.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[S],
 F=I.distr,z,D;I.ori==0?(Yn(c,j0),z=r,D=o):(Yn(c,Q0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/m))),W=i.fmtDate||Hh,ce=m==1?j_(Y):tx(Y),K=Pf(Y,Rf(m==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Hh,ce=g==1?j_(Y):tx(Y),K=Pf(Y,Rf(g==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
 ue=n.cursor=on({},dx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Oh}if(ee)
 if(Ee=mi("table",c_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",of,v).
@@ -261,17 +261,17 @@ bt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- 
 bt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],I,Fe,0),Zt=Ye==null?1/0:z(St[Ye],I,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
 Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
-ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function po(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,l_),Yn(N,v.class),Ni(N,-10,-10,
+ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],In=[];function po(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,l_),Yn(N,v.class),Ni(N,-10,-10,
 B,Re),p.insertBefore(N,ot[A]),N}function hr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Tf(U)?Lf(Y,If(U,W)):U||Q:U||Mx,v.label=v.label||(N?
 px:fx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Fx||A_,v.fillTo=gt(v.fillTo||Ex),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=Vf(v.pxAlign),v.stroke=
-gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=Sx(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
+gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=Sx(Fn(1,v.width),1),U=v.points=on({},{size:N,width:Fn(1,N*.2),stroke:v.
 stroke,space:N*2,paths:Ox,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
 U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=po(v,A)):
-A>0&&(N=po(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??x.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),x.splice(
+A>0&&(N=po(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),In.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??x.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),x.splice(
 A,0,v),hr(x[A],A)}n.addSeries=ch;function Aa(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
-me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Xi(v,A){if(v._show=
+me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),In.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Xi(v,A){if(v._show=
 v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:S,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?m==1?J_:Q_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?g==1?J_:Q_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
 U.distr==3?Ih:U.distr==4?_x:gx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
 values;v.values=bs(J)&&!bs(J[0])?gt(J):H?bs(J)?Pf(Y,Rf(J,W)):Tf(J)?nx(Y,J):J||K:J||mx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?vx:U.distr==3&&U.log==2?bx:jf)),
 v.font=Xf(v.font),v.labelFont=Xf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
@@ -280,11 +280,11 @@ oi(s_,h))}}function $i(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||
 idxs:null,Wn=null,ms=!1;function go(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
 e=[[]]),Wn=e[0],qt=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
 !1){let N=I;N.auto(n,ms)?_o():xs(S,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=go;function _o(){ms=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/m):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
 A=null)),xs(S,v,A)}let ur,gs,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=lf,N??=Gh,U??="butt",H??=lf,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=gs&&(u.fillStyle=
 gs=H),A!=dr&&(u.lineWidth=dr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=gs&&(u.fillStyle=gs=A),v!=q&&(u.font=
 q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,ms)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
-U.length-1),fe=N.min==null?v_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
+U.length-1),fe=N.min==null?v_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Fn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
 for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[S]!=null&&H.auto(n,ms))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
 (G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],R_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){x.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
@@ -317,23 +317,23 @@ min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=
 if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,bt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
 N.values(n,N.filter(n,St,U,De,bt),U,De,bt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=ai(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
 let A=!0;return mo.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function Yi(){for(let v=0;v<w.length;v++){let A=w[v];if(!A.show||!A._show)continue;
-let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,qn=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
+let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Dn=A.labelGap*fe,qn=un((A._lpos+Dn)*wt);Ie(A.labelFont[0],ae,"\
 center",N==2?"top":af),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(L+$/2),J=qn);let Ws=Jf(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(Ws,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
-Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=g(A._pos*wt),Xn=(Zt+
-vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,H=U==1?Ln:0;let si=A.font[0],fi=A.align==1?br:A.align==2?yh:It>0?br:It<0?yh:U==0?"center":N==3?yh:br,Ii=It||U==1?"middle":N==2?"top":
-af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Nn=>g(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let qn=pi[Nn];if(qn!=null){U==0?H=ri[Nn]:
-J=ri[Nn],qn=""+qn;let Ws=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Dn=0;Dn<Ws.length;Dn++){let tf=Ws[Dn];It?(u.save(),u.translate(H,J+Dn*$n),u.rotate(It),
-u.fillText(tf,0,0),u.restore()):u.fillText(tf,H,J+Dn*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
+u.fillText(Ws,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Dn=>Wn[Dn]):St,pt=De.distr==2?Wn[St[1]]-
+Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=m(A._pos*wt),Xn=(Zt+
+vn)*fe,Nn=Jt+Xn;J=U==0?Nn:0,H=U==1?Nn:0;let si=A.font[0],fi=A.align==1?br:A.align==2?yh:It>0?br:It<0?yh:U==0?"center":N==3?yh:br,Ii=It||U==1?"middle":N==2?"top":
+af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Dn=>m(a(Dn,De,Fe,tt))),pi=A._values;for(let Dn=0;Dn<pi.length;Dn++){let qn=pi[Dn];if(qn!=null){U==0?H=ri[Dn]:
+J=ri[Dn],qn=""+qn;let Ws=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Un=0;Un<Ws.length;Un++){let tf=Ws[Un];It?(u.save(),u.translate(H,J+Un*$n),u.rotate(It),
+u.fillText(tf,0,0),u.restore()):u.fillText(tf,H,J+Un*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
 grid;Li.show&&nn(ri,Li.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
 2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){x.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
-max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,In=!1,Rt=[];function sn(){In=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
-Yt||(F_(Od),Yt=!0)}function Ea(v,A=!1){Yt=!0,In=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
+max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,Ln=!1,Rt=[];function sn(){Ln=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
+Yt||(F_(Od),Yt=!0)}function Ea(v,A=!1){Yt=!0,Ln=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,br,$e),zt(f,"top",it),zt(f,So,B),zt(f,wo,Re),zt(p,br,$e),zt(p,"top",it),zt(p,So,B),zt(p,wo,Re),zt(h,So,$t),zt(h,wo,en),d.width=un($t*wt),d.height=un(en*
 wt),w.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
 zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ch(v,qs)}else Yn(v,qs)}),ur=gs=dr=k=j=q=Z=Te=E=null,Pe=1,vo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
 ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,pr&&Ni(pr,un(ue.left),0,B,Re),mr&&Ni(mr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
-U!=null&&(Ft[N]*=v,Pn[N]*=A,Ni(U,ai(Ft[N]),ai(Pn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in mh)
+U!=null&&(Ft[N]*=v,In[N]*=A,Ni(U,ai(Ft[N]),ai(In[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in mh)
 zt(xr,N,Bt[N])}Se=$e,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}$t>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),M.forEach(v=>v()),yn("draw")),Bt.show&&
 ie&&(Ca(Bt),ie=!1),me&&te&&(Hs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(fh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),ms=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
 !1?xs(S,I.min,I.max):Tn()};function hh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
@@ -359,16 +359,16 @@ B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Zi=Nt,ys=null;let J=I.ori==0?B:Re,
 let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,yr,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
 fe,S),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<x.length;We++){let kt=x[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
-let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Ln=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
-1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Ln,si));if(fi<Zi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
-1?Jt<=$n:Jt>=$n)&&(Zi=fi,ys=We)}else Zi=fi,ys=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=Ln):(si=Ln,fi=Xn);let Ii,$n,ri,pi,Li,Nn,qn=!0,Ws=le.bbox;if(Ws!=null){
-qn=!1;let Dn=Ws(n,We);ri=Dn.left,pi=Dn.top,Ii=Dn.width,$n=Dn.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==ys&&Zi<=Oe.
-prox&&(De=ri,Fe=pi,tt=Ii,St=$n,bt=qn,pt=Nn,Ye=Li);else{let Dn=ot[We];Dn!=null&&(Ft[We]=ri,Pn[We]=pi,xf(Dn,Ii,$n,qn),gf(Dn,Nn,Li),Ni(Dn,ai(ri),ai(pi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=Gs==null?Zi<=We:Zi>We||ys!=Gs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,xf(Zt,tt,St,bt),gf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
+let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Nn=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
+1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Nn,si));if(fi<Zi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
+1?Jt<=$n:Jt>=$n)&&(Zi=fi,ys=We)}else Zi=fi,ys=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=Nn):(si=Nn,fi=Xn);let Ii,$n,ri,pi,Li,Dn,qn=!0,Ws=le.bbox;if(Ws!=null){
+qn=!1;let Un=Ws(n,We);ri=Un.left,pi=Un.top,Ii=Un.width,$n=Un.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Dn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==ys&&Zi<=Oe.
+prox&&(De=ri,Fe=pi,tt=Ii,St=$n,bt=qn,pt=Dn,Ye=Li);else{let Un=ot[We];Un!=null&&(Ft[We]=ri,In[We]=pi,xf(Un,Ii,$n,qn),gf(Un,Dn,Li),Ni(Un,ai(ri),ai(pi),B,Re))}}}}if(Ce){
+let We=Oe.prox,kt=Gs==null?Zi<=We:Zi>We||ys!=Gs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,In[0]=Fe,xf(Zt,tt,St,bt),gf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
 show&&_s)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:bt,top:pt,width:Ye,
-height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Ln,si=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);si&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
-b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),xo(_i(Xn,Ln),dn(Ln-Xn))):xo(0,J),fi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
-0),Ln=D(Zt(vn+It,tt),Jt,ae,0),yo(_i(Xn,Ln),dn(Ln-Xn))):yo(0,ae)}else gh()}else{let fe=dn(zd-Bd),ve=dn(Vd-kd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
+height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Nn,si=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);si&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
+b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Nn=z(Zt(vn+It,Fe),Jt,J,0),xo(_i(Xn,Nn),dn(Nn-Xn))):xo(0,J),fi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
+0),Nn=D(Zt(vn+It,tt),Jt,ae,0),yo(_i(Xn,Nn),dn(Nn-Xn))):yo(0,ae)}else gh()}else{let fe=dn(zd-Bd),ve=dn(Vd-kd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
 dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
 0?(De=gr,Fe=Ot):(De=_r,Fe=Ht),xo(_i(De,Fe),dn(Fe-De)),xn||yo(0,ae)),xn&&(I.ori==1?(De=gr,Fe=Ot):(De=_r,Fe=Ht),yo(_i(De,Fe),dn(Fe-De)),_n||xo(0,J)),!_n&&!xn&&(xo(
 0,0),yo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(ef!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
@@ -377,7 +377,7 @@ fe)}}pe&&(de.idx=U,fh()),A!==!1&&yn("setCursor")}let vs=null;Object.defineProper
 p.getBoundingClientRect(),yn("syncRect",vs))}function Wd(v,A,N,U,H,J,ae){ue._lock||_s&&v!=null&&v.movementX==0&&v.movementY==0||(ph(v,A,N,U,H,J,ae,!1,v!=null),v!=
 null?Hs(null,!0,!0):Hs(A,!0,!1))}function ph(v,A,N,U,H,J,ae,fe,ve){if(vs==null&&vo(!1),Ze(v),v!=null)N=v.clientX-vs.left,U=v.clientY-vs.top;else{if(N<0||U<0){Ot=
 -10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[bt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
-B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Ln=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(Ln/Jt),I.
+B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Nn=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(Nn/Jt),I.
 ori==1){let si=N;N=U,U=si}}ve&&(A==null||A.cursor.event.type==vh)&&((N<=1||N>=B-1)&&(N=Xs(N,B)),(U<=1||U>=Re-1)&&(U=Xs(U,Re))),fe?(Bd=N,kd=U,[gr,_r]=ue.move(n,N,
 U)):(Ot=N,Ht=U)}let mh={width:0,height:0,left:0,top:0};function gh(){Ca(mh,!1)}let Xd,$d,qd,Yd;function Zd(v,A,N,U,H,J,ae){_s=!0,_n=xn=Sn._x=Sn._y=!1,ph(v,A,N,U,
 H,J,ae,!0,!1),v!=null&&(vt(bh,Ah,Jd,!1),bo(cf,n,gr,_r,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Xd=fe,$d=ve,qd=Ne,Yd=De}function Jd(v,A,N,U,H,J,ae){
@@ -388,7 +388,7 @@ if(ue._lock)return;Ze(v);let fe=_s;if(_s){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(
 ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Hs(null,!0,!0),_s=!1}Ot=-10,Ht=-10,se.fill(null),Hs(null,!0,!0),fe&&(_s=fe)}function Kd(v,A,N,U,H,J,ae){ue._lock||(Ze(
 v),_o(),gh(),v!=null&&bo(df,n,Ot,Ht,B,Re,null))}function jd(){w.forEach(Wx),O(n.width,n.height,!0)}Ys(Da,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
 Jd,vr.dblclick=Kd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(cf,p,Zd),vt(vh,p,Wd),vt(hf,p,v=>{Ze(v),vo(!1)}),vt(uf,p,X0),
-vt(df,p,Kd),Dh.add(n),n.syncRect=vo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){In?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
+vt(df,p,Kd),Dh.add(n),n.syncRect=vo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){Ln?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
 []).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[S,x[1]?
 x[1].scale:null],match:[wf,wf,Qd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Qd),ue.sync=rn;let ef=rn.key,_h=vp(ef);function bo(v,A,N,U,H,J,ae){
 rn.filters.pub(v,A,N,U,H,J,ae)&&_h.pub(v,A,N,U,H,J,ae)}_h.sub(n);function $0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=$0;function q0(){
@@ -432,10 +432,10 @@ l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
 blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=w=>{n.style.clipPath="inset(0 0 0 ".concat(
 w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
-ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},g=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},m=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{g(),m(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let w=f!==null;if(g(),m(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},ey)}),
-h.addEventListener("click",()=>{g(),m(!p),y(Number(c.value))}),g(),m(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
+ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),y(Number(c.value))}),u.addEventListener("\
+click",()=>{let w=f!==null;if(m(),g(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},ey)}),
+h.addEventListener("click",()=>{m(),g(!p),y(Number(c.value))}),m(),g(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,x))}var Op={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Bp=Object.
 keys(Op),Up={name:i=>i.dataset.name,verdict:i=>Bp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},ty=(i,e)=>i<
 e?-1:i>e?1:0;function ny(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*ty(Up[e](s),Up[e](r)));i.append(...n)}function iy(i){let e=[...i.querySelectorAll("th[dat\
@@ -447,8 +447,8 @@ n=Fp("Verdict",Bp.filter(l=>t("verdict").includes(l)),l=>Op[l]),s=Fp("Category",
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
 ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(X("div",{className:"filters"},n.place,s.place,
-X("label",{},"Name",r),o))}var xm=0,Pu=1,ym=2;var ua=1,vm=2,ro=3,Fs=0,kn=1,Vi=2,tr=0,oo=1,Iu=2,Lu=3,Nu=4,bm=5;var nr=100,Mm=101,Sm=102,wm=103,Tm=104,Am=200,Em=201,Cm=202,Rm=203,Du=204,Uu=205,Pm=206,Im=207,Lm=208,Nm=209,Dm=210,Um=211,Fm=212,Om=213,Bm=214,xl=0,yl=1,vl=2,Yr=3,
-bl=4,Ml=5,Sl=6,wl=7,jl=0,km=1,zm=2,Gi=0,Fu=1,Ou=2,Bu=3,ku=4,zu=5,Vu=6,Gu=7;var Hu=300,ir=301,ao=302,Ql=303,ec=304,Tl=1e3,Oi=1001,Al=1002,Mn=1003,Vm=1004;var da=1005;var On=1006,tc=1007;var us=1008;var Hn=1009,Wu=1010,Xu=1011,lo=1012,nc=1013,Mi=1014,ui=1015,Si=1016,ic=1017,sc=1018,sr=1020,$u=35902,qu=35899,Yu=1021,Zu=1022,wi=1023,rs=1026,ds=1027,rc=1028,oc=1029,
+X("label",{},"Name",r),o))}var xm=0,Pu=1,ym=2;var ua=1,vm=2,ro=3,Fs=0,zn=1,Vi=2,tr=0,oo=1,Iu=2,Lu=3,Nu=4,bm=5;var nr=100,Mm=101,Sm=102,wm=103,Tm=104,Am=200,Em=201,Cm=202,Rm=203,Du=204,Uu=205,Pm=206,Im=207,Lm=208,Nm=209,Dm=210,Um=211,Fm=212,Om=213,Bm=214,xl=0,yl=1,vl=2,Yr=3,
+bl=4,Ml=5,Sl=6,wl=7,jl=0,km=1,zm=2,Gi=0,Fu=1,Ou=2,Bu=3,ku=4,zu=5,Vu=6,Gu=7;var Hu=300,ir=301,ao=302,Ql=303,ec=304,Tl=1e3,Oi=1001,Al=1002,Mn=1003,Vm=1004;var da=1005;var Bn=1006,tc=1007;var us=1008;var Hn=1009,Wu=1010,Xu=1011,lo=1012,nc=1013,Mi=1014,ui=1015,Si=1016,ic=1017,sc=1018,sr=1020,$u=35902,qu=35899,Yu=1021,Zu=1022,wi=1023,rs=1026,ds=1027,rc=1028,oc=1029,
 Os=1030,ac=1031;var lc=1033,fa=33776,pa=33777,ma=33778,ga=33779,cc=35840,hc=35841,uc=35842,dc=35843,fc=36196,pc=37492,mc=37496,gc=37488,_c=37489,_a=37490,xc=37491,yc=37808,vc=37809,
 bc=37810,Mc=37811,Sc=37812,wc=37813,Tc=37814,Ac=37815,Ec=37816,Cc=37817,Rc=37818,Pc=37819,Ic=37820,Lc=37821,Nc=36492,Dc=36494,Uc=36495,Fc=36283,Oc=36284,xa=36285,
 Bc=36286;var Bo=2300,El=2301,gl=2302,Mu=2303,Su=2400,wu=2401,Tu=2402;var Gm=3200;var kc=0,Hm=1,fs="",Qn="srgb",ko="srgb-linear",zo="linear",At="srgb";var _l=7680;var Wm=519,Xm=512,$m=513,qm=514,Ju=515,Ym=516,Zm=517,Ku=518,ju=519,Jm=35044;var Qu="300 es",ci=2e3,Zr=2001;function sy(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function ry(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Vo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Km(){
@@ -495,10 +495,10 @@ e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanD
 normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.
 y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
-x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Bn=class{constructor(e=0,t=0,n=0,s=1){
+x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},kn=class{constructor(e=0,t=0,n=0,s=1){
 this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],p=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let g=l*h+c*f+d*p+u*y;g<0&&(h=-h,f=-f,p=-p,y=-y,g=-g);let m=1-a;if(g<.9995){let x=Math.acos(g),w=Math.sin(x);m=Math.sin(
-m*x)/w,a=Math.sin(a*x)/w,l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a}else{l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
+y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let m=l*h+c*f+d*p+u*y;m<0&&(h=-h,f=-f,p=-p,y=-y,m=-m);let g=1-a;if(m<.9995){let x=Math.acos(m),w=Math.sin(x);g=Math.sin(
+g*x)/w,a=Math.sin(a*x)/w,l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
 u*=x}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
 a*p+d*u+l*f-c*h,e[t+1]=l*p+d*h+c*u-a*f,e[t+2]=c*p+d*f+a*h-l*u,e[t+3]=d*p-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
@@ -568,13 +568,13 @@ this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){retu
 this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(
 t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.
 random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},eu=new V,
-Vp=new Bn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
+Vp=new kn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
 let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]=o,d[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],g=s[3],m=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
-o*y+a*x+l*C,r[3]=o*g+a*w+l*S,r[6]=o*m+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*g+d*w+u*S,r[7]=c*m+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*g+f*w+p*S,r[8]=h*m+f*b+p*_,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],m=s[3],g=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
+o*y+a*x+l*C,r[3]=o*m+a*w+l*S,r[6]=o*g+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*m+d*w+u*S,r[7]=c*g+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*m+f*w+p*S,r[8]=h*g+f*b+p*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
 d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
@@ -613,7 +613,7 @@ null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
 s[o].isDataTexture?r.push(nu(s[o].image)):r.push(nu(s[o]))}else r=nu(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function nu(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Rl.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var uy=0,iu=new V,Gn=class i extends Bi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Oi,s=Oi,r=On,o=us,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=fs){super(),this.
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var uy=0,iu=new V,Gn=class i extends Bi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Oi,s=Oi,r=Bn,o=us,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=fs){super(),this.
 isTexture=!0,Object.defineProperty(this,"id",{value:uy++}),this.uuid=ya(),this.name="",this.source=new Kr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new st(0,0),this.repeat=
 new st(1,1),this.center=new st(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
@@ -653,11 +653,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],g=l[6],m=l[10];if(Math.abs(
-d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-g)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+g)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let w=(c+1)/2,b=(f+1)/2,C=(m+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+g)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],m=l[6],g=l[10];if(Math.abs(
+d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-m)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+m)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let w=(c+1)/2,b=(f+1)/2,C=(g+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+m)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
 (n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=S/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
-sqrt((g-p)*(g-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(g-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(e){
+sqrt((m-p)*(m-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(m-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=at(this.x,e.x,t.x),this.y=at(this.y,e.y,t.y),this.z=at(this.z,e.z,t.z),this.w=at(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -673,7 +673,7 @@ w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*
 x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.
 x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){
 return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.
-w}},Pl=class extends Bi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:On,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,
+w}},Pl=class extends Bi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Bn,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,
 resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,
 samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},n),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=n.depth,this.scissor=new Wt(0,0,
 e,t),this.scissorTest=!1,this.viewport=new Wt(0,0,e,t),this.textures=[];let s=n.count;for(let r=0;r<s;r++)this.textures[r]=new Gn({width:e,height:t,depth:n.depth}),
@@ -681,7 +681,7 @@ this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;thi
 this.resolveColorBuffer=n.resolveColorBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this.storeMultisampledColorBuffer=
 n.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=n.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=n.storeMultisampledStencilBuffer,
 this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview,this.useArrayDepthTexture=n.useArrayDepthTexture}_setTextureOptions(e={}){
-let t={minFilter:On,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&
+let t={minFilter:Bn,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&
 (t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==
 void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),
 e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),
@@ -701,9 +701,9 @@ e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=
 !0}},Go=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
 minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
 this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Il=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
-minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=
-c,m[6]=d,m[10]=u,m[14]=h,m[3]=f,m[7]=p,m[11]=y,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
+c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=p,g[11]=y,g[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
@@ -721,20 +721,20 @@ y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRota
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ss.crossVectors(n,Kn),Ss.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
 Ss.crossVectors(n,Kn)),Ss.normalize(),$a.crossVectors(Kn,Ss),s[0]=Ss.x,s[4]=$a.x,s[8]=Kn.x,s[1]=Ss.y,s[5]=$a.y,s[9]=Kn.y,s[2]=Ss.z,s[6]=$a.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],g=n[10],m=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],m=n[10],g=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
 z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*P+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*R+a*z+l*W+c*
-se,r[1]=d*S+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*S+y*P+g*D+m*ce,r[6]=p*_+y*I+g*G+m*K,r[10]=p*M+y*F+g*Y+m*Q,r[14]=
-p*R+y*z+g*W+m*se,r[3]=x*S+w*P+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*R+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+se,r[1]=d*S+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*S+y*P+m*D+g*ce,r[6]=p*_+y*I+m*G+g*K,r[10]=p*M+y*F+m*Y+g*Q,r[14]=
+p*R+y*z+m*W+g*se,r[3]=x*S+w*P+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*R+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],g=e[11],m=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
-h-l*d,_=o*u-a*d;return t*(y*x-g*w+m*b)-n*(p*x-g*C+m*S)+s*(p*w-y*C+m*_)-r*(p*b-y*S+g*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],m=e[11],g=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
+h-l*d,_=o*u-a*d;return t*(y*x-m*w+g*b)-n*(p*x-m*C+g*S)+s*(p*w-y*C+g*_)-r*(p*b-y*S+m*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],p=e[12],y=e[13],g=e[14],m=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*g-h*p,P=d*m-f*p,I=u*g-h*y,F=u*m-f*y,z=h*
-m-f*g,D=x*z-w*F+b*I+C*P-S*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-g*
-S+m*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(g*b-p*_-m*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
-(p*S-y*b+m*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*w-p*C-g*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],p=e[12],y=e[13],m=e[14],g=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*m-h*p,P=d*g-f*p,I=u*m-h*y,F=u*g-f*y,z=h*
+g-f*m,D=x*z-w*F+b*I+C*P-S*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-m*
+S+g*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(m*b-p*_-g*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
+(p*S-y*b+g*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*w-p*C-m*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -742,8 +742,8 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,g=o*u,m=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+m))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
-b)*S,s[5]=(1-(h+m))*S,s[6]=(g+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(g-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,m=o*u,g=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
+b)*S,s[5]=(1-(h+g))*S,s[6]=(m+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(m-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Lr.set(s[0],s[1],s[2]).length(),a=Lr.
 set(s[4],s[5],s[6]).length(),l=Lr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=ci,l=!1){
@@ -755,7 +755,7 @@ s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===ci)p=-
 y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
 6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,dy=new V(
-0,0,0),fy=new V(1,1,1),Ss=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new Bn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+0,0,0),fy=new V(1,1,1),Ss=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new kn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -773,9 +773,9 @@ return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
 _z,yield this._order}};os.DEFAULT_ORDER="XYZ";var jr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},py=0,$p=new V,Nr=new Bn,Qi=new xt,qa=new V,Po=new V,my=new V,gy=new Bn,qp=new V(1,0,0),Yp=new V(0,1,0),Zp=new V(0,0,1),Jp={type:"added"},_y={type:"\
+(1<<e|0))!==0}},py=0,$p=new V,Nr=new kn,Qi=new xt,qa=new V,Po=new V,my=new V,gy=new kn,qp=new V(1,0,0),Yp=new V(0,1,0),Zp=new V(0,0,1),Jp={type:"added"},_y={type:"\
 removed"},Dr={type:"childadded",child:null},su={type:"childremoved",child:null},wn=class i extends Bi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:py++}),this.uuid=ya(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new os,n=new Bn,
+this,"id",{value:py++}),this.uuid=ya(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new os,n=new kn,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
@@ -853,8 +853,8 @@ _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatch
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
 r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){
-let g=t.getJointPose(y,n),m=this._getHandJoint(c,y);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
-!0,m.jointRadius=g.radius),m.visible=g!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
+let m=t.getJointPose(y,n),g=this._getHandJoint(c,y);m!==null&&(g.matrix.fromArray(m.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
+!0,g.jointRadius=m.radius),g.visible=m!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
 pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.
 pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
 fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
@@ -935,8 +935,8 @@ e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a
 return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,n),Fr.subVectors(r,n),au.subVectors(e,n);let l=Ur.
 dot(au),c=Fr.dot(au);if(l<=0&&c<=0)return t.copy(n);lu.subVectors(e,s);let d=Ur.dot(lu),u=Fr.dot(lu);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
 d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);cu.subVectors(e,r);let f=Ur.dot(cu),p=Fr.dot(cu);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let g=d*p-f*u;if(g<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-Kp,a);let m=1/(g+y+h);return o=y*m,a=h*m,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Kp,a);let g=1/(m+y+h);return o=y*g,a=h*g,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},ki=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(vi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(vi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -1037,21 +1037,21 @@ Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "positio
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new bi(new Float32Array(
 4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let R=0;R<n.count;R++)a[R]=new V,l[R]=new V;let d=new V,u=new V,h=new V,
-f=new st,p=new st,y=new st,g=new V,m=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
-fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(g.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),m.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(g),a[P].add(g),
-a[I].add(g),l[R].add(m),l[P].add(m),l[I].add(m))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let R=0,P=w.length;R<P;++R){let I=w[R],F=I.start,
+f=new st,p=new st,y=new st,m=new V,g=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
+fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(m.copy(
+u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),g.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(m),a[P].add(m),
+a[I].add(m),l[R].add(g),l[P].add(g),l[I].add(g))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let R=0,P=w.length;R<P;++R){let I=w[R],F=I.start,
 z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,S=new V,_=new V;function M(R){S.fromBufferAttribute(s,R),_.copy(
 S);let P=a[R];b.copy(P),b.sub(S.multiplyScalar(S.dot(P))).normalize(),C.crossVectors(_,P);let F=C.dot(l[R])<0?-1:1;o.setXYZW(R,b.x,b.y,b.z,F)}for(let R=0,P=n.count;R<
 P;++R)c[R]&&M(R);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new bi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
-r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),g=e.getX(h+2);s.fromBufferAttribute(
-t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,g),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
-c.fromBufferAttribute(n,g),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(g,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
+r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(
+t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,m),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
+c.fromBufferAttribute(n,m),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),n.setXYZ(h+0,d.x,d.y,d.z),
 n.setXYZ(h+1,d.x,d.y,d.z),n.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
 n;t++)bn.fromBufferAttribute(e,t),bn.normalize(),e.setXYZ(t,bn.x,bn.y,bn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
-l.length*d),f=0,p=0;for(let y=0,g=l.length;y<g;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let m=0;m<d;m++)h[p++]=c[f++]}return new bi(
+l.length*d),f=0,p=0;for(let y=0,m=l.length;y<m;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let g=0;g<d;g++)h[p++]=c[f++]}return new bi(
 h,d,u)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
 for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=e(
 h,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
@@ -1218,9 +1218,9 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,is)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,p=t.x-o.x,
-y=t.y-o.y,g=t.z-o.z,m=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(R=l,F=u,G=p,ce=m,l>=0?(_=c,M=
-d,P=h,I=f,z=y,D=g,Y=x,W=w):(_=d,M=c,P=f,I=h,z=g,D=y,Y=w,W=x)):C>=S?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=g,D=p,Y=w,W=m):(_=l,M=d,P=u,I=f,z=p,D=g,Y=m,W=w)):(R=
-d,F=f,G=g,ce=w,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=m,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=m)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
+y=t.y-o.y,m=t.z-o.z,g=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(R=l,F=u,G=p,ce=g,l>=0?(_=c,M=
+d,P=h,I=f,z=y,D=m,Y=x,W=w):(_=d,M=c,P=f,I=h,z=m,D=y,Y=w,W=x)):C>=S?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=m,D=p,Y=w,W=g):(_=l,M=d,P=u,I=f,z=p,D=m,Y=g,W=w)):(R=
+d,F=f,G=m,ce=w,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=g,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=g)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
 Q*G,xe=Y-K*ce,Ee=W-Q*ce,Me=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(Me<0||He<0||nt<0)return null}else if((Me<0||He<0||nt<0)&&(Me>0||He>0||nt>0))return null;
 let Ve=Me+He+nt;if(Ve===0)return null;let ut=se*(Me*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
@@ -1243,14 +1243,14 @@ t.add(rl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(
 null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),Qs.copy(e.ray).recast(e.near),!(tl.containsPoint(Qs.origin)===!1&&(Qs.intersectSphere(
 tl,Qp)===null||Qs.origin.distanceToSquared(Qp)>(e.far-e.near)**2))&&(jp.copy(r).invert(),Qs.copy(e.ray).applyMatrix4(jp),!(n.boundingBox!==null&&Qs.intersectsBox(
 n.boundingBox)===!1)&&this._computeIntersections(e,t,Qs)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.
-materialIndex],x=Math.max(g.start,f.start),w=Math.min(a.count,Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
-M=a.getX(b+2);s=al(this,m,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=a.getX(g),w=a.getX(g+1),b=a.getX(g+2);s=al(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(g/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),w=Math.min(l.count,
-Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=al(this,m,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
-g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=g,w=g+1,b=g+2;s=al(this,o,e,n,c,d,
-u,x,w,b),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.
+materialIndex],x=Math.max(m.start,f.start),w=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
+M=a.getX(b+2);s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=a.getX(m),w=a.getX(m+1),b=a.getX(m+2);s=al(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.materialIndex],x=Math.max(m.start,f.start),w=Math.min(l.count,
+Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
+m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=m,w=m+1,b=m+2;s=al(this,o,e,n,c,d,
+u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===Fs,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
 point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=Ty(i,e,t,n,nl,il,
 sl,em);if(d){let u=new V;Fi.getBarycoord(em,nl,il,sl,u),s&&(d.uv=Fi.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Fi.getInterpolatedAttribute(r,a,l,c,u,
@@ -1278,9 +1278,9 @@ super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.in
 morphTexture=null)}},er=new as,Ey=new st(.5,.5),cl=new V,Rs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],y=r[9],
-g=r[10],m=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,m-p,C-x).normalize(),s[1].setComponents(c+o,f+d,m+p,C+x).normalize(),s[2].setComponents(
-c+a,f+u,m+y,C+w).normalize(),s[3].setComponents(c-a,f-u,m-y,C-w).normalize(),n)s[4].setComponents(l,h,g,b).normalize(),s[5].setComponents(c-l,f-h,m-g,C-b).normalize();else if(s[4].
-setComponents(c-l,f-h,m-g,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,m+g,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,g,b).normalize();else throw new Error(
+m=r[10],g=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-x).normalize(),s[1].setComponents(c+o,f+d,g+p,C+x).normalize(),s[2].setComponents(
+c+a,f+u,g+y,C+w).normalize(),s[3].setComponents(c-a,f-u,g-y,C-w).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
+setComponents(c-l,f-h,g-m,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),er.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),er.copy(
 t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(er)}intersectsSprite(e){er.center.set(0,0,0);let t=Ey.distanceTo(e.center);return er.
@@ -1306,8 +1306,8 @@ Line.computeLineDistances(): Computation only possible with non-indexed BufferGe
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.
 applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;sm.copy(s).invert(),Fo.copy(e.ray).applyMatrix4(sm);let a=r/((this.scale.x+this.scale.y+this.
 scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let y=f,
-g=p-1;y<g;y+=c){let m=d.getX(y),x=d.getX(y+1),w=ul(this,e,Fo,l,m,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),g=d.getX(f),m=ul(this,e,Fo,l,y,g,p-1);m&&
-t.push(m)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,g=p-1;y<g;y+=c){let m=ul(this,e,Fo,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){
+m=p-1;y<m;y+=c){let g=d.getX(y),x=d.getX(y+1),w=ul(this,e,Fo,l,g,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),m=d.getX(f),g=ul(this,e,Fo,l,y,m,p-1);g&&
+t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,m=p-1;y<m;y+=c){let g=ul(this,e,Fo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
 let y=ul(this,e,Fo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function ul(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Nl.fromBufferAttribute(a,s),Dl.fromBufferAttribute(a,r),t.distanceSqToSegment(Nl,Dl,yu,
@@ -1325,27 +1325,27 @@ Jo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExte
 Is=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,n,t,e,o,r,0),p("z","y","x",1,-1,
 n,t,-e,o,r,1),p("x","z","y",1,1,e,n,t,s,o,2),p("x","z","y",1,-1,e,n,-t,s,o,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,g,m,x,w,b,C,S,_,M,R){let P=b/
-_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[g]=se*w,K[m]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[g]=0,K[m]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,m,g,x,w,b,C,S,_,M,R){let P=b/
+_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[m]=se*w,K[g]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[m]=0,K[g]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
 G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,R),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Ko=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
-n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,g=new V,m=new V;for(let x=0;x<=
+n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,m=new V,g=new V;for(let x=0;x<=
 p;x++){let w=0,b=0,C=0,S=0;if(x<=n){let R=x/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),S=-e*Math.cos(P),w=R*u}else if(x<=n+r){let R=(x-n)/r;b=-d+R*t,C=e,
 S=0,w=u+R*h}else{let R=(x-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),S=e*Math.sin(P),w=u+h+R*u}let _=Math.max(0,Math.min(1,w/f)),M=0;x===0?M=.5/s:x===
-p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);m.x=-C*z,m.y=b,m.z=C*F,a.push(m.x,m.y,m.z),g.set(-C*z,S,C*F),g.normalize(),
-l.push(g.x,g.y,g.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
+p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),m.set(-C*z,S,C*F),m.normalize(),
+l.push(m.x,m.y,m.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ls=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
-height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],g=n/
-2,m=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],m=n/
+2,g=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
 uv",new yt(f,2));function x(){let b=new V,C=new V,S=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+g,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
+sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+m,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
 s;M++)for(let R=0;R<r;R++){let P=y[R][M],I=y[R+1][M],F=y[R+1][M+1],z=y[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),S+=3),(t>0||R!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
-m,S,0),m+=S}function w(b){let C=p,S=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,g*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
-s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=g*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),S.x=G*.5+.5,S.y=Y*.5*P+.5,f.push(S.x,S.y),p++}for(let F=0;F<
-s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(m,M,b===!0?1:2),m+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+g,S,0),g+=S}function w(b){let C=p,S=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,m*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=m*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),S.x=G*.5+.5,S.y=Y*.5*P+.5,f.push(S.x,S.y),p++}for(let F=0;F<
+s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
 jo=class i extends Ls{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
@@ -1355,25 +1355,25 @@ this.computeVertexNormals():this.normalizeNormals();function a(x){let w=new V,b=
 w,b,C,x)}function l(x,w,b,C){let S=C+1,_=[];for(let M=0;M<=S;M++){_[M]=[];let R=x.clone().lerp(b,M/S),P=w.clone().lerp(b,M/S),I=S-M;for(let F=0;F<=I;F++)F===0&&
 M===S?_[M][F]=R:_[M][F]=R.clone().lerp(P,F/I)}for(let M=0;M<S;M++)for(let R=0;R<2*(S-M)-1;R++){let P=Math.floor(R/2);R%2===0?(h(_[M][P+1]),h(_[M+1][P]),h(_[M][P])):
 (h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(x){let w=new V;for(let b=0;b<r.length;b+=3)w.x=r[b+0],w.y=r[b+1],w.z=r[b+2],w.normalize().multiplyScalar(
-x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=g(x)/2/Math.PI+.5,C=m(x)/Math.PI+
+x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=m(x)/2/Math.PI+.5,C=g(x)/Math.PI+
 .5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let w=o[x+0],b=o[x+2],C=o[x+4],S=Math.max(w,b,C),_=Math.min(w,b,C);S>.9&&_<.1&&(w<.2&&(o[x+0]+=
 1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,w){let b=x*3;w.x=e[b+0],w.y=e[b+1],w.z=e[b+2]}function p(){let x=new V,w=new V,
 b=new V,C=new V,S=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){x.set(r[R+0],r[R+1],r[R+2]),w.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
-8]),S.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=g(C);y(S,P+0,x,I),y(_,P+2,w,I),y(M,P+4,b,I)}}function y(x,w,b,C){
-C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function g(x){return Math.atan2(x.z,-x.x)}function m(x){return Math.atan2(-x.y,Math.sqrt(x.x*
+8]),S.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=m(C);y(S,P+0,x,I),y(_,P+2,w,I),y(M,P+4,b,I)}}function y(x,w,b,C){
+C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function m(x){return Math.atan2(x.z,-x.x)}function g(x){return Math.atan2(-x.y,Math.sqrt(x.x*
 x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
 detail)}};var no=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},Qo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],p=[],y=[],g=[];for(let m=0;m<d;m++){let x=m*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),g.push(w/a),g.push(1-m/l)}}for(let m=0;m<
-l;m++)for(let x=0;x<a;x++){let w=x+c*m,b=x+c*(m+1),C=x+1+c*(m+1),S=x+1+c*m;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
-this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
+1,u=e/a,h=t/l,f=[],p=[],y=[],m=[];for(let g=0;g<d;g++){let x=g*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),m.push(w/a),m.push(1-g/l)}}for(let g=0;g<
+l;g++)for(let x=0;x<a;x++){let w=x+c*g,b=x+c*(g+1),C=x+1+c*(g+1),S=x+1+c*g;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
+this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var ea=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],p=[],y=[],g=[];for(let m=0;m<=n;m++){let x=[],w=m/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;m===0&&o===0?_=.5/t:m===n&&l===Math.PI&&
-(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-S*Math.cos(P),u.y=C,u.z=S*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),g.push(
-R+_,1-w),x.push(c++)}d.push(x)}for(let m=0;m<n;m++)for(let x=0;x<t;x++){let w=d[m][x+1],b=d[m][x],C=d[m+1][x],S=d[m+1][x+1];(m!==0||o>0)&&f.push(w,b,S),(m!==n-1||
-l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){
+u=new V,h=new V,f=[],p=[],y=[],m=[];for(let g=0;g<=n;g++){let x=[],w=g/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;g===0&&o===0?_=.5/t:g===n&&l===Math.PI&&
+(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-S*Math.cos(P),u.y=C,u.z=S*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),m.push(
+R+_,1-w),x.push(c++)}d.push(x)}for(let g=0;g<n;g++)for(let x=0;x<t;x++){let w=d[g][x+1],b=d[g][x],C=d[g+1][x],S=d[g+1][x+1];(g!==0||o>0)&&f.push(w,b,S),(g!==n-1||
+l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
 phiLength,e.thetaStart,e.thetaLength)}};function rr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(lm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(lm(s[0])){let r=[];for(let o=0,a=s.length;o<
@@ -1431,13 +1431,13 @@ t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetN
 let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case wu:r=e,a=2*t-n;break;case Tu:r=s.length-2,a=t+
 s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case wu:o=e,l=2*n-t;break;case Tu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,g=y*p,m=-h*g+2*
-h*y-h*p,x=(1+h)*g+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*g+(1.5+f)*y+.5*p,b=f*g-f*y;for(let C=0;C!==a;++C)r[C]=m*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Vl=class extends Ns{constructor(e,t,n,s){
+o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,m=y*p,g=-h*m+2*
+h*y-h*p,x=(1+h)*m+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*m+(1.5+f)*y+.5*p,b=f*m-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Vl=class extends Ns{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Gl=class extends Ns{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Ns{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let g=0;g!==
-a;++g)r[g]=o[c+g]*y+o[l+g]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],g=o[l+p],m=f*h+p*2,x=u[m],w=u[m+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Ly(n,t,
-x,C,s);r[p]=sg(_,y,w,S,g)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let m=0;m!==
+a;++m)r[m]=o[c+m]*y+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],m=o[l+p],g=f*h+p*2,x=u[g],w=u[g+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Ly(n,t,
+x,C,s);r[p]=sg(_,y,w,S,m)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
 e)+6*r*i*(n-t)+3*i*i*(s-n)}function Ly(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=sg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Iy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Gr(t,this.TimeBufferType),
@@ -1469,7 +1469,7 @@ n;t+=2)i[t]*=e}ni.prototype.ValueTypeName="";ni.prototype.TimeBufferType=Float32
 El;var Ds=class extends ni{constructor(e,t,n){super(e,t,n)}};Ds.prototype.ValueTypeName="bool";Ds.prototype.ValueBufferType=Array;Ds.prototype.DefaultInterpolation=
 Bo;Ds.prototype.InterpolantFactoryMethodLinear=void 0;Ds.prototype.InterpolantFactoryMethodSmooth=void 0;var Wl=class extends ni{constructor(e,t,n,s){super(e,t,
 n,s)}};Wl.prototype.ValueTypeName="color";var Xl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Xl.prototype.ValueTypeName="number";var $l=class extends Ns{constructor(e,t,n,s){
-super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)Bn.slerpFlat(r,0,
+super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)kn.slerpFlat(r,0,
 o,c-a,o,c,l);return r}},ia=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new $l(this.times,this.values,this.getValueSize(),
 e)}};ia.prototype.ValueTypeName="quaternion";ia.prototype.InterpolantFactoryMethodSmooth=void 0;var Us=class extends ni{constructor(e,t,n){super(e,t,n)}};Us.prototype.
 ValueTypeName="string";Us.prototype.ValueBufferType=Array;Us.prototype.DefaultInterpolation=Bo;Us.prototype.InterpolantFactoryMethodLinear=void 0;Us.prototype.InterpolantFactoryMethodSmooth=
@@ -1500,14 +1500,14 @@ map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.
 this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=
 e.mapType,this.biasNode=e.biasNode,this}clone(){return new this.constructor().copy(this)}toJSON(){let e={};return e.intensity=this.intensity,e.bias=this.bias,e.
 normalBias=this.normalBias,e.radius=this.radius,e.blurSamples=this.blurSamples,e.mapSize=this.mapSize.toArray(),e.mapType=this.mapType,e.camera=this.camera.toJSON(
-!1).object,delete e.camera.matrix,e}},fl=new V,pl=new Bn,Ui=new V,oa=class extends wn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=
+!1).object,delete e.camera.matrix,e}},fl=new V,pl=new kn,Ui=new V,oa=class extends wn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=
 new xt,this.projectionMatrix=new xt,this.projectionMatrixInverse=new xt,this.coordinateSystem=ci,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){
 return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),
 this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.
 matrixWorld.decompose(fl,pl,Ui),Ui.x===1&&Ui.y===1&&Ui.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Ui.set(
 1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(fl,pl,Ui),Ui.x===1&&Ui.y===1&&Ui.z===1?this.matrixWorldInverse.
 copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Ui.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Es=new V,fm=new st,
-pm=new st,Fn=class extends oa{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
+pm=new st,On=class extends oa{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
 n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.
 fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=
 e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Cl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
@@ -1535,20 +1535,20 @@ near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.ass
 .5,500)),this.isDirectionalLightShadow=!0}},io=class extends sa{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
 copy(wn.DEFAULT_UP),this.updateMatrix(),this.target=new wn,this.shadow=new Au}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.
 target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.
-uuid,t}};var Hr=-90,Wr=1,so=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Fn(
-Hr,Wr,e,t);s.layers=this.layers,this.add(s);let r=new Fn(Hr,Wr,e,t);r.layers=this.layers,this.add(r);let o=new Fn(Hr,Wr,e,t);o.layers=this.layers,this.add(o);let a=new Fn(
-Hr,Wr,e,t);a.layers=this.layers,this.add(a);let l=new Fn(Hr,Wr,e,t);l.layers=this.layers,this.add(l);let c=new Fn(Hr,Wr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
+uuid,t}};var Hr=-90,Wr=1,so=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new On(
+Hr,Wr,e,t);s.layers=this.layers,this.add(s);let r=new On(Hr,Wr,e,t);r.layers=this.layers,this.add(r);let o=new On(Hr,Wr,e,t);o.layers=this.layers,this.add(o);let a=new On(
+Hr,Wr,e,t);a.layers=this.layers,this.add(a);let l=new On(Hr,Wr,e,t);l.layers=this.layers,this.add(l);let c=new On(Hr,Wr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
 let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===ci)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
 -1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===Zr)n.up.set(
 0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
 this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=
-!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,
-e.setRenderTarget(n,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),g&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
-u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Kl=class extends Fn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
+!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,
+e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
+n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
+u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Kl=class extends On{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
 e,this.perCameraFrustumCulled=!1}};var id="\\[\\]\\.:\\/",Ny=new RegExp("["+id+"]","g"),sd="[^"+id+"]",Dy="[^"+id.replace("\\.","")+"]",Uy=/((?:WC+[\/:])*)/.source.replace("WC",sd),Fy=/(WCOD+)?/.
 source.replace("WCOD",Dy),Oy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",sd),By=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",sd),ky=new RegExp("^"+Uy+Fy+Oy+By+
 "$"),zy=["material","materials","bones","map"],Eu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
@@ -1609,7 +1609,7 @@ return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParame
 dot(ml);if(n===0)return 0;let r=ml.dot(_m)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
 n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Vy,n=Gy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
 $r.subVectors(d,l),bu.subVectors(a,l);let u=Xr.dot(Xr),h=$r.dot($r),f=$r.dot(bu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),g=u*h-y*y;g!==0?r=at((y*f-p*h)/g,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),m=u*h-y*y;m!==0?r=at((y*f-p*h)/m,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
 1)):o>1&&(o=1,r=at((y-p)/u,0,1))}}return t.copy(a).addScaledVector(Xr,r),n.copy(l).addScaledVector($r,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ha=class extends to{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
@@ -2638,11 +2638,11 @@ attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
 anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},TM=new xt,Cg=new Qe;Cg.set(
 -1,0,0,0,1,0,0,0,1);function AM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
-let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?g(o,a):b&&b.isColor&&(g(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
+let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?m(o,a):b&&b.isColor&&(m(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,w){let b=f(w);b&&b.isCubeTexture?(c===
 void 0&&(c=new hi(new Is(1,1,1),new zi({name:"BackgroundCubeMaterial",uniforms:rr(Wi.backgroundCube.uniforms),vertexShader:Wi.backgroundCube.vertexShader,fragmentShader:Wi.
-backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
+backgroundCube.fragmentShader,side:zn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,S,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
 value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(TM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
@@ -2652,10 +2652,10 @@ new Qo(2,2),new zi({name:"BackgroundMaterial",uniforms:rr(Wi.background.uniforms
 side:Fs,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
 uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function g(x,w){x.getRGB(zc,nd(i)),
-t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
-a=x,g(o,a)},render:p,addToRenderList:y,dispose:m}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,w){x.getRGB(zc,nd(i)),
+t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
+a=x,m(o,a)},render:p,addToRenderList:y,dispose:g}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
 W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
@@ -2665,18 +2665,18 @@ Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){le
 instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
 W||r.index!==D}function p(I,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
 eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function g(I){m(I,0)}function m(I,F){
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function m(I){g(I,0)}function g(I,F){
 let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),G[I]!==F&&(i.vertexAttribDivisor(I,F),G[I]=
 F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function w(I,F,z,D,G,Y,W){
 W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
 for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
 instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
 Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
-if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
-!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
+if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
+!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
 ee);for(let Ve=0;Ve<K.locationSize;Ve++)w(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
-K.locationSize;Me++)m(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let Me=0;Me<K.locationSize;Me++)g(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
+K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let Me=0;Me<K.locationSize;Me++)m(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
 de*xe,de/K.locationSize*Me*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
 K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){R();for(let I in n){let F=n[I];for(let z in F){
 let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function S(I){if(n[I.id]===void 0)return;let F=n[I.id];
@@ -2684,7 +2684,7 @@ for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].obje
 for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function R(){P(),o=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:R,resetDefaultState:P,
-dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:g,disableUnusedAttributes:x}}function CM(i,e,t){
+dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:m,disableUnusedAttributes:x}}function CM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
 renderInstances=o,this.renderMultiDraw=a}function RM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
@@ -2696,18 +2696,18 @@ i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDI
 ighp",d=l(c);d!==c&&(qe("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
-getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),g=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-m=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
+g=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),S=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:x,
+precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:x,
 maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function PM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,y=u.clipIntersection,
-g=u.clipShadows,m=i.get(u);if(!s||p===null||p.length===0||r&&!g)r?d(null):c();else{let x=r?0:n,w=x*4,b=m.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
-w;++C)b[C]=t[C];m.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,g=null;if(y!==0){if(g=l.value,p!==!0||g===null){let m=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
-x),(g===null||g.length<m)&&(g=new Float32Array(m));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(g,b),g[b+3]=o.constant}l.value=
-g,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,g}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let x=r?0:n,w=x*4,b=g.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
+w;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,m=null;if(y!==0){if(m=l.value,p!==!0||m===null){let g=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
+x),(m===null||m.length<g)&&(m=new Float32Array(g));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=
+m,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,m}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Yo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
@@ -2715,14 +2715,14 @@ t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varyi
 \n\n     #include <begin_vertex>\n     #include <project_vertex>\n\n    }\n   ",fragmentShader:"\n\n    uniform sampler2D tEquirect;\n\n    varying vec3 vWorldDirec\
 tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = normalize( vWorldDirection );\n\n     vec2 sampleUV = equirectUv( direction );\n\n     gl_Fra\
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Is(5,5,5),r=new zi({name:"CubemapFromEquirect",uniforms:rr(n.uniforms),vertexShader:n.vertexShader,
-fragmentShader:n.fragmentShader,side:kn,blending:tr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=On),new so(
+fragmentShader:n.fragmentShader,side:zn,blending:tr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=Bn),new so(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
 this,o),e.clear(t,n,s);e.setRenderTarget(r)}},og=256,IM=3,LM=20,Rg=256,Pg=16,NM=3,DM=new V,UM=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new so(1,10,null),this._boxMesh=new hi(new Is(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
 _blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=DM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(UM));let g=new so(
-n,s,d);return g.position.copy(a),g.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
+p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(UM));let m=new so(
+n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
 this._cubemapMaterial===null&&(this._cubemapMaterial=cg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
 null&&(this._equirectMaterial=lg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
@@ -2743,7 +2743,7 @@ o,n);if(o>n-NM)r.roughness.value=a,this._renderCube(e,o,this._integrationMateria
 value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=BM());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
 r,0,n)}};function ag(i,e,t){return new Ma(i,{minFilter:us,generateMipmaps:e,type:Si,colorSpace:ko,depthBuffer:t})}function Sa(i,e,t){return new zi({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:tr,depthTest:!1,depthWrite:!1})}function FM(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+vertexShader:ht.cube_vert,fragmentShader:t,side:zn,blending:tr,depthTest:!1,depthWrite:!1})}function FM(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
 value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Rg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
@@ -2789,35 +2789,35 @@ flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, v
 function kM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
 Ql||f===ec)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new Ma(p.height);return y.fromEquirectangularTexture(
 i,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===Ql||f===ec,y=f===ir||f===ao;if(p||y){let g=t.get(h),m=g!==void 0?g.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return n===
-null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h,g):n.fromCubemap(h,g),g.texture.pmremVersion=h.pmremVersion,t.set(h,g),g.texture;if(g!==void 0)return g.texture;
-{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h):n.fromCubemap(h),g.texture.pmremVersion=h.pmremVersion,
-t.set(h,g),h.addEventListener("dispose",d),g.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=ir:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
+mapping,p=f===Ql||f===ec,y=f===ir||f===ao;if(p||y){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
+null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
+{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
+t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=ir:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
 p=6;for(let y=0;y<p;y++)h[y]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
 n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function zM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Oo("WebGLRenderer\
 : "+n+" extension not supported."),s}}}function VM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
-p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
+p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
 get(p);y&&(e.remove(y),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){
 return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(p){let y=p.attributes;
-for(let g in y)e.update(y[g],i.ARRAY_BUFFER)}function u(p){let y=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let x=y!==null?y.array.length:g.array.
-length/3-1,w=g.count>=65535?Xo:Wo,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;m=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
-2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{m=g.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
-I,C[M++]=R}}b.version=m;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let g=p.index;g!==null&&y.version<g.version&&u(p)}else u(p);
+for(let m in y)e.update(y[m],i.ARRAY_BUFFER)}function u(p){let y=p.index,m=p.attributes.position,g=0;if(m===void 0)return;let x=y!==null?y.array.length:m.array.
+length/3-1,w=m.count>=65535?Xo:Wo,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;g=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
+2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{g=m.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
+I,C[M++]=R}}b.version=g;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let m=p.index;m!==null&&y.version<m.version&&u(p)}else u(p);
 return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function GM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
-n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let g=0;g<f;g++)y+=h[g];
+n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let m=0;m<f;m++)y+=h[m];
 t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function HM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
 t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function WM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let R=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",R)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
-position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],x=a.morphAttributes.
+position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],x=a.morphAttributes.
 color||[],w=0;f===!0&&(w=1),p===!0&&(w=2),y===!0&&(w=3);let b=a.attributes.position.count*w,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
-let S=new Float32Array(b*C*4*u),_=new Go(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let P=0;P<u;P++){let I=g[P],F=m[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
+let S=new Float32Array(b*C*4*u),_=new Go(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let P=0;P<u;P++){let I=m[P],F=g[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
 let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),S[D+Y+0]=s.x,S[D+Y+1]=s.y,S[D+Y+2]=s.z,S[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),S[D+Y+4]=s.x,S[D+Y+5]=s.y,S[D+
 Y+6]=s.z,S[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),S[D+Y+8]=s.x,S[D+Y+9]=s.y,S[D+Y+10]=s.z,S[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
 b,C)},n.set(a,h),a.addEventListener("dispose",R)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
@@ -2839,17 +2839,17 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,g=!1,m,x=null,w=[],b=!1;this.setSize=
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,m=!1,g,x=null,w=[],b=!1;this.setSize=
 function(C,S){o.setSize(C,S),a!==null&&a.setSize(C,S),l!==null&&l.setSize(C,S);for(let _=0;_<w.length;_++){let M=w[_];M.setSize&&M.setSize(C,S)}},this.setEffects=
 function(C){w=C,b=w.length>0&&w[0].isRenderPass===!0;let S=o.width,_=o.height;w.length>0&&a===null&&(a=new ti(S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
 S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&w.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(S,_),
 r===!0&&(c.format=ds,c.type=sr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<w.length;R++){let P=w[R];
-P.setSize&&P.setSize(S,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,S){if(g||C.toneMapping===Gi&&w.length===0)
-return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=
-Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=m,g=!0;let _=o,M=a;for(let R=0;R<w.length;R++){let P=w[R];P.enabled!==!1&&(P.
+P.setSize&&P.setSize(S,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,S){if(m||C.toneMapping===Gi&&w.length===0)
+return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
+Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=g,m=!0;let _=o,M=a;for(let R=0;R<w.length;R++){let P=w[R];P.enabled!==!1&&(P.
 render(C,M,_,S),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
 p)===At&&(u.defines.SRGB_TRANSFER="");let R=$M[y];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
-null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
+null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
 Lg=new hs(1,1),Ng=new Zo(1),Dg=new Go,Ug=new Il,Fg=new Yo,hg=[],ug=[],dg=new Float32Array(16),fg=new Float32Array(9),pg=new Float32Array(4);function ho(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=hg[s];if(r===void 0&&(r=new Float32Array(s),hg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
@@ -2934,9 +2934,9 @@ i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n
 return JS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var jS={[ao]:"ENVMAP_MODE_REFRACTION"};function QS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":jS[i.envMapMode]||
 "ENVMAP_MODE_REFLECTION"}var ew={[jl]:"ENVMAP_BLENDING_MULTIPLY",[km]:"ENVMAP_BLENDING_MIX",[zm]:"ENVMAP_BLENDING_ADD"};function tw(i){return i.envMap===!1?"ENV\
 MAP_BLENDING_NONE":ew[i.combine]||"ENVMAP_BLENDING_NONE"}function nw(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=KS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),y,g,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
-(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),g=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),g.length>0&&(g+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),y,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
+"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),m.length>0&&(m+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2970,7 +2970,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),g=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),m=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2993,17 +2993,17 @@ logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepth
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Gi?"#define TONE_MAPPING":"",t.toneMapping!==Gi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
 Gi?VS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,kS("linearToOutputTexel",t.outputColorSpace),
 GS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(ba).join("\n")),o=ud(o),o=yg(o,t),o=vg(o,t),a=ud(a),a=yg(a,t),a=vg(a,t),o=bg(o),a=
-bg(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,g=["#d\
+bg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,m=["#d\
 efine varying in",t.glslVersion===Qu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Qu?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+g);let x=m+y+o,w=m+g+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,w);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let x=g+y+o,w=g+m+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,w);s.attachShader(
 p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
 osition"),s.linkProgram(p);function S(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
 D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
 s,p,b,C);else{let K=xg(s,b,"vertex"),Q=xg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+P.name+"\nMaterial Type: "+P.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:g}})}s.deleteShader(b),s.deleteShader(C),_=new co(
+"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new co(
 s,p),M=XS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let R=t.rendererExtensionParallelShaderCompile===
 !1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,US)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
 program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=FS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
@@ -3054,12 +3054,12 @@ hemi.length,numSunLightShadows:M.sunShadowMap.length,numDirLightShadows:M.direct
 spotShadowMap.length,numSpotLightShadowsWithMaps:M.numSpotLightShadowsWithMaps,numLightProbes:M.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
 length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:_.dithering,shadowMapEnabled:i.shadowMap.enabled&&R.length>0,shadowMapType:i.
 shadowMap.type,toneMapping:le,decodeVideoTexture:Ve&&_.map.isVideoTexture===!0&&_t.getTransfer(_.map.colorSpace)===At,decodeVideoTextureEmissive:vt&&_.emissiveMap.
-isVideoTexture===!0&&_t.getTransfer(_.emissiveMap.colorSpace)===At,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===Vi,flipSided:_.side===kn,useDepthPacking:_.
+isVideoTexture===!0&&_t.getTransfer(_.emissiveMap.colorSpace)===At,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===Vi,flipSided:_.side===zn,useDepthPacking:_.
 depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Ze&&_.extensions.clipCullDistance===!0&&t.has(
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
 Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let R in _.defines)
-M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(g(M,_),m(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function g(_,M){
+M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(m(M,_),g(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function m(_,M){
 _.push(M.precision),_.push(M.outputColorSpace),_.push(M.envMapMode),_.push(M.envMapPMREM),_.push(M.envMapMaxLod),_.push(M.envMapSize),_.push(M.mapUv),_.push(M.alphaMapUv),
 _.push(M.lightMapUv),_.push(M.aoMapUv),_.push(M.bumpMapUv),_.push(M.normalMapUv),_.push(M.displacementMapUv),_.push(M.emissiveMapUv),_.push(M.metalnessMapUv),_.
 push(M.roughnessMapUv),_.push(M.anisotropyMapUv),_.push(M.clearcoatMapUv),_.push(M.clearcoatNormalMapUv),_.push(M.clearcoatRoughnessMapUv),_.push(M.diffuseRoughnessMapUv),
@@ -3068,7 +3068,7 @@ _.push(M.specularIntensityMapUv),_.push(M.transmissionMapUv),_.push(M.thicknessM
 _.push(M.numSunLights),_.push(M.numDirLights),_.push(M.numPointLights),_.push(M.numSpotLights),_.push(M.numSpotLightMaps),_.push(M.numHemiLights),_.push(M.numRectAreaLights),
 _.push(M.numSunLightShadows),_.push(M.numDirLightShadows),_.push(M.numPointLightShadows),_.push(M.numSpotLightShadows),_.push(M.numSpotLightShadowsWithMaps),_.push(
 M.numLightProbes),_.push(M.numLightProbeGrids),_.push(M.shadowMapType),_.push(M.toneMapping),_.push(M.numClippingPlanes),_.push(M.numClipIntersection),_.push(M.
-depthPacking)}function m(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
+depthPacking)}function g(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
 o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
 M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
 15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
@@ -3085,10 +3085,10 @@ get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function
 dispose:r}}function aw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Sg(i,e){
 return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function wg(){
-let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,g,m){
-let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:g,group:m},i[e]=x):(x.id=h.
-id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=g,x.group=m),e++,x}function l(h,f,p,y,g,m,x){x.reversedDepth===
-!0&&(g=-g);let w=a(h,f,p,y,g,m);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,g,m){let x=a(h,f,p,y,g,m);p.transmission>0?
+let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,m,g){
+let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:m,group:g},i[e]=x):(x.id=h.
+id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=m,x.group=g),e++,x}function l(h,f,p,y,m,g,x){x.reversedDepth===
+!0&&(m=-m);let w=a(h,f,p,y,m,g);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,m,g){let x=a(h,f,p,y,m,g);p.transmission>0?
 n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||aw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
 transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function lw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new wg,i.set(n,[o])):
@@ -3104,7 +3104,7 @@ directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,g=0,m=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,R=0,P=0;c.sort(dw);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,m=0,g=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,R=0,P=0;c.sort(dw);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Os?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);P++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
@@ -3112,31 +3112,31 @@ se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalB
 Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
 ue]=Q._cascadeData[ue];y+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.directionalShadow[g]=se,n.directionalShadowMap[g]=ce,n.directionalShadowMatrix[g]=D.shadow.matrix,C++}n.directional[g]=K,g++}else if(D.isSpotLight){let K=e.get(
+n.directionalShadow[m]=se,n.directionalShadowMap[m]=ce,n.directionalShadowMatrix[m]=D.shadow.matrix,C++}n.directional[m]=K,m++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
 D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&R++),n.spotLightMatrix[x]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.spotShadow[x]=se,n.spotShadowMap[x]=ce,_++}x++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
 set(0,D.height*.5,0),n.rectArea[w]=K,w++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
-shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[m]=se,n.pointShadowMap[m]=ce,n.pointShadowMatrix[m]=D.shadow.
-matrix,S++}n.point[m]=K,m++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
+matrix,S++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
 Y),n.hemi[b]=K,b++}}w>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==g||I.pointLength!==m||I.spotLength!==x||I.rectAreaLength!==
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==m||I.pointLength!==g||I.spotLength!==x||I.rectAreaLength!==
 w||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==P)&&(n.
-sun.length=f,n.directional.length=g,n.spot.length=x,n.rectArea.length=w,n.point.length=m,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
+sun.length=f,n.directional.length=m,n.spot.length=x,n.rectArea.length=w,n.point.length=g,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
 length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=S,n.pointShadowMap.
 length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
-R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=g,I.pointLength=m,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,g=0,m=d.matrixWorldInverse;for(let x=0,
-w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(m),u++}else if(b.
+R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
+C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,m=0,g=d.matrixWorldInverse;for(let x=0,
+w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(m),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(
-b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(b.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.
+transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
+b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
+C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
 set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),f++}else if(b.isHemisphereLight){let C=n.hemi[g];C.direction.setFromMatrixPosition(b.matrixWorld),
-C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
+C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
 return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function pw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
@@ -3149,30 +3149,30 @@ stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
 mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",_w=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
 xw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,va=new V,ad=new V;function yw(i,e,t){let n=new Rs,s=new st,r=new st,
-o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Fs]:kn,[kn]:Fs,[Vi]:Vi},h=new zi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
+o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Fs]:zn,[zn]:Fs,[Vi]:Vi},h=new zi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
 value:new st},radius:{value:4}},vertexShader:mw,fragmentShader:gw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let m=this.type;this.render=function(S,_,M){
-if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||S.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let g=this.type;this.render=function(S,_,M){
+if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||S.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
 hadowMap instead."),this.type=ua);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(tr),F.buffers.depth.getReversed()===
-!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=m!==this.type;z&&_.traverse(function(D){
+!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
 D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=S.length;D<G;D++){let Y=S[D],W=Y.shadow;
 if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
 s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
 y=r.y));let K=i.state.buffers.depth.getReversed();if(W.camera._reversedDepth=K,W.map===null||z===!0){if(W.map!==null&&(W.map.depthTexture!==null&&(W.map.depthTexture.
 dispose(),W.map.depthTexture=null),W.map.dispose()),this.type===ro){if(Y.isPointLight){qe("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
-e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Os,type:Si,minFilter:On,magFilter:On,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
+e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Os,type:Si,minFilter:Bn,magFilter:Bn,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
 hadowMap",W.map.depthTexture=new hs(s.x,s.y,ui),W.map.depthTexture.name=Y.name+".shadowMapDepth",W.map.depthTexture.format=rs,W.map.depthTexture.compareFunction=
 null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.magFilter=Mn}else Y.isPointLight?(W.map=new Ma(s.x),W.map.depthTexture=new Zo(s.x,Mi)):(W.map=new ti(s.x,
 s.y),W.map.depthTexture=new hs(s.x,s.y,Mi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=rs,this.type===ua?(W.map.depthTexture.compareFunction=
-K?Ku:Ju,W.map.depthTexture.minFilter=On,W.map.depthTexture.magFilter=On):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.
+K?Ku:Ju,W.map.depthTexture.minFilter=Bn,W.map.depthTexture.magFilter=Bn):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.
 magFilter=Mn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
 isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,M);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:M.layers;
 for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
 va.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(va),ad.copy(ee.position),ad.add(_w[de]),ee.up.copy(xw[de]),ee.lookAt(ad),ee.updateMatrixWorld(),me.makeTranslation(
 -va.x,-va.y,-va.z),Ag.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Ag,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}m=this.type,
-g.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}g=this.type,
+m.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
 VSM_SAMPLES=S.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),S.mapPass===null?S.mapPass=new ti(s.x,s.y,{format:Os,type:Si}):(S.mapPass.width!==S.map.width||S.mapPass.
 height!==S.map.height)&&S.mapPass.setSize(S.map.width,S.map.height),h.uniforms.shadow_pass.value=S.map.depthTexture,h.uniforms.resolution.value.set(S.map.width,
 S.map.height),h.uniforms.radius.value=S.radius,i.setRenderTarget(S.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=S.mapPass.
@@ -3201,7 +3201,7 @@ i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}functio
 setTest:function(Oe){O||(Oe?Me(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(be!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),be=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,g=!1,m=null,x=null,w=null,b=null,C=null,S=null,_=null,
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,
 M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
@@ -3216,15 +3216,15 @@ length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else 
 O?(i.useProgram(O),y=O,!0):!1}let lt={[nr]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
 [Cm]:i.SRC_COLOR,[Du]:i.SRC_ALPHA,[Dm]:i.SRC_ALPHA_SATURATE,[Lm]:i.DST_COLOR,[Pm]:i.DST_ALPHA,[Rm]:i.ONE_MINUS_SRC_COLOR,[Uu]:i.ONE_MINUS_SRC_ALPHA,[Nm]:i.ONE_MINUS_DST_COLOR,
 [Im]:i.ONE_MINUS_DST_ALPHA,[Um]:i.CONSTANT_COLOR,[Fm]:i.ONE_MINUS_CONSTANT_COLOR,[Om]:i.CONSTANT_ALPHA,[Bm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
-if(O===tr){g===!0&&(He(i.BLEND),g=!1);return}if(g===!1&&(Me(i.BLEND),g=!0),O!==bm){if(O!==m||Oe!==P){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
+if(O===tr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==bm){if(O!==g||Oe!==P){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
 Oe)switch(O){case oo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFunc(i.ONE,i.ONE);break;case Lu:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Nu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case oo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Lu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Nu:Ke("WebGLState: Mul\
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,b=null,S=null,_=null,M.set(0,0,0),
-R=0,m=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
-et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),m=O,P=!1}function Ut(O,re){O.side===
-Vi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(tr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
+R=0,g=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
+et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),g=O,P=!1}function Ut(O,re){O.side===
+Vi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===zn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(tr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
 a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?Me(i.SAMPLE_ALPHA_TO_COVERAGE):
@@ -3251,17 +3251,17 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-p=[],y=null,g=!1,m=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
 texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function bw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function m(L,T){return g?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
 $)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=m(_e,ye));let te=T?m(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
+void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in L&&qe("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
 )."),L;return L}function w(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
 i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function S(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
@@ -3280,7 +3280,7 @@ getTransfer(oe);$===i.FLOAT&&(te=i.RGBA32F),$===i.HALF_FLOAT&&(te=i.RGBA16F),$==
 i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function _(L,T){let $;return L?T===null||T===
 Mi||T===sr?$=i.DEPTH24_STENCIL8:T===ui?$=i.DEPTH32F_STENCIL8:T===lo&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
 il. Using 24-bit attachment.")):T===null||T===Mi||T===sr?$=i.DEPTH_COMPONENT24:T===ui?$=i.DEPTH_COMPONENT32F:T===lo&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return w(
-L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==On?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
+L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==Bn?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
 Array.isArray(L.image)?T.mipmaps.length:1}function R(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),y.register(L,T,T)}function P(L){let T=n.get(L).__ref;T!==
 void 0&&(p.delete(T),y.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),P(L),Y(L),L.isVideoTexture&&
 d.delete(L),L.isHTMLTexture&&u.delete(L)}function D(L){L.removeEventListener("dispose",F),P(L),ce(L)}function G(){for(let L of p){let T=L.deref();T!==void 0&&(T.
@@ -3304,9 +3304,9 @@ $.__webglTexture,i.TEXTURE0+T)}function xe(L,T){let $=n.get(L);if(L.isRenderTarg
 ($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,$.__webglTexture,i.TEXTURE0+T)}function Ee(L,T){let $=n.get(L);if(L.isRenderTargetTexture===
 !1&&L.version>0&&$.__version!==L.version){Ut($,L,T);return}t.bindTexture(i.TEXTURE_3D,$.__webglTexture,i.TEXTURE0+T)}function Me(L,T){let $=n.get(L);if(L.version>
 0&&$.__version!==L.version){Qt($,L,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,$.__webglTexture,i.TEXTURE0+T)}let He={[Tl]:i.REPEAT,[Oi]:i.CLAMP_TO_EDGE,[Al]:i.MIRRORED_REPEAT},
-nt={[Mn]:i.NEAREST,[Vm]:i.NEAREST_MIPMAP_NEAREST,[da]:i.NEAREST_MIPMAP_LINEAR,[On]:i.LINEAR,[tc]:i.LINEAR_MIPMAP_NEAREST,[us]:i.LINEAR_MIPMAP_LINEAR},Ve={[Xm]:i.
+nt={[Mn]:i.NEAREST,[Vm]:i.NEAREST_MIPMAP_NEAREST,[da]:i.NEAREST_MIPMAP_LINEAR,[Bn]:i.LINEAR,[tc]:i.LINEAR_MIPMAP_NEAREST,[us]:i.LINEAR_MIPMAP_LINEAR},Ve={[Xm]:i.
 NEVER,[ju]:i.ALWAYS,[$m]:i.LESS,[Ju]:i.LEQUAL,[qm]:i.EQUAL,[Ku]:i.GEQUAL,[Ym]:i.GREATER,[Zm]:i.NOTEQUAL};function ut(L,T){if(T.type===ui&&e.has("OES_texture_flo\
-at_linear")===!1&&(T.magFilter===On||T.magFilter===tc||T.magFilter===da||T.magFilter===us||T.minFilter===On||T.minFilter===tc||T.minFilter===da||T.minFilter===us)&&
+at_linear")===!1&&(T.magFilter===Bn||T.magFilter===tc||T.magFilter===da||T.magFilter===us||T.minFilter===Bn||T.minFilter===tc||T.minFilter===da||T.minFilter===us)&&
 qe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(L,i.TEXTURE_WRAP_S,
 He[T.wrapS]),i.texParameteri(L,i.TEXTURE_WRAP_T,He[T.wrapT]),(L===i.TEXTURE_3D||L===i.TEXTURE_2D_ARRAY)&&i.texParameteri(L,i.TEXTURE_WRAP_R,He[T.wrapR]),i.texParameteri(
 L,i.TEXTURE_MAG_FILTER,nt[T.magFilter]),i.texParameteri(L,i.TEXTURE_MIN_FILTER,nt[T.minFilter]),T.compareFunction&&(i.texParameteri(L,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
@@ -3370,8 +3370,8 @@ i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,be,Ft.width,Ft.height,0,Ft.data):qe("WebGLRe
 ()"):Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,ge,Ft.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,be,Ft.width,
 Ft.height,0,we,ge,Ft.data)}}}else{if(Je=T.mipmaps,Ge&&Ze){Je.length>0&&Oe++;let Ce=Xe(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,Ce.width,Ce.height)}for(let Ce=0;Ce<
 6;Ce++)if(O){Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,re[Ce].width,re[Ce].height,we,ge,re[Ce].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let Pn=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,ot+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
+Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let In=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
+Ce,ot+1,0,0,In.width,In.height,we,ge,In.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,In.width,In.height,0,we,ge,In.data)}}else{Ge?le&&t.texSubImage2D(
 i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
 Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,we,ge,Ft.image[Ce])}}}
 w(T)&&T.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}L.__version=T.version}function Pt(L,T,$,he,oe,_e){let ye=r.
@@ -3474,14 +3474,14 @@ _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } e
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
 let t=e.cameras[0].viewport,n=new zi({vertexShader:Sw,fragmentShader:ww,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new hi(new Qo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},md=class extends Bi{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",g=new pd,m={},x=t.getContextAttributes(),
-w=null,b=null,C=[],S=[],_=new st,M=null,R=null,P=new Fn;P.viewport=new Wt;let I=new Fn;I.viewport=new Wt;let F=[P,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
+super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",m=new pd,g={},x=t.getContextAttributes(),
+w=null,b=null,C=[],S=[],_=new st,M=null,R=null,P=new On;P.viewport=new Wt;let I=new On;I.viewport=new Wt;let F=[P,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=
 me),me.getHandSpace()};function Y(ee){let me=S.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,g.reset();for(let ee in m)delete m[ee];
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,m.reset();for(let ee in g)delete g[ee];
 if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),R!==null){let ee=R.camera;
 ee.fov=R.fov,ee.zoom=R.zoom,ee.updateProjectionMatrix(),R=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&qe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&qe("WebXRManager: C\
@@ -3499,73 +3499,73 @@ antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=n
 setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:x.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
 ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
-{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};
 function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=S.indexOf(xe);Ee>=0&&(S[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
 length;me++){let xe=ee.added[me],Ee=S.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=S.length){S.push(xe),Ee=He;break}else if(S[He]===null){S[He]=
 xe,Ee=He;break}if(Ee===-1)break}let Me=C[Ee];Me&&Me.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
-ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;g.texture!==null&&(g.depthNear>
-0&&(me=g.depthNear),g.depthFar>0&&(xe=g.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;m.texture!==null&&(m.depthNear>
+0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
 depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,P.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
 z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(P.projectionMatrix),z.projectionMatrixInverse.copy(P.projectionMatrixInverse),R===null&&
 ee.isPerspectiveCamera&&(R={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
 me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Cl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
-fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=
-function(){return g.getMesh(z)},this.getCameraTexture=function(ee){return m[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
+fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=
+function(){return m.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
 views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
 xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
-colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new Fn,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
+colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new On,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
 Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
-xe[0]);Ve&&Ve.isValid&&Ve.texture&&g.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
-length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=m[ut];lt||(lt=new Jo,m[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
+xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
+length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Jo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
 let Ee=S[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Eg;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(g,m){
-g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function n(g,m){m.color.getRGB(g.fogColor.value,nd(i)),m.isFog?(g.fogNear.value=m.near,g.fogFar.
-value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,x,w,b){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?
-(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),u(g,m)):m.isMeshPhongMaterial?(r(g,m),d(g,m),m.envMap&&(g.envMapIntensity.
-value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),h(g,m),m.isMeshPhysicalMaterial&&f(g,m,b)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?
-r(g,m):m.isMeshDistanceMaterial?(r(g,m),y(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(
-g,m,x,w):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){
-g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.
-value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,
-g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===kn&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),
-g.normalScale.value.copy(m.normalScale),m.side===kn&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,
-g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,
-t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.
-value=m.alphaTest);let x=e.get(m),w=x.envMap,b=x.envMapRotation;w&&(g.envMap.value=w,g.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
-w.isCubeTexture&&w.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Og),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=
-m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=
-m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.
-value=m.map,t(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,x,w){
-g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*x,g.scale.value=w*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.
-alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.
-value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),
-m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function d(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function u(g,m){m.
-gradientMap&&(g.gradientMap.value=m.gradientMap)}function h(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,
-g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&
-(g.envMapIntensity.value=m.envMapIntensity)}function f(g,m,x){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&
-(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(
-m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&
-(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.
-value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.
-value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,
-t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===kn&&g.clearcoatNormalScale.value.negate())),
-m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.
-iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,
-m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.
-value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.
-value=x.texture,g.transmissionSamplerSize.value.set(x.width,x.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),
-g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,
-g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(
-m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,
-g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),
-m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&
-(g.matcap.value=m.matcap)}function y(g,m){let x=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(x.matrixWorld),g.nearDistance.value=x.shadow.camera.
-near,g.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
-n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",g));let C=w.program;n.updateUBOMapping(
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(m,g){
+m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,nd(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
+value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,x,w,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
+(r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
+value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(m,g),h(m,g),g.isMeshPhysicalMaterial&&f(m,g,b)):g.isMeshMatcapMaterial?(r(m,g),p(m,g)):g.isMeshDepthMaterial?
+r(m,g):g.isMeshDistanceMaterial?(r(m,g),y(m,g)):g.isMeshNormalMaterial?r(m,g):g.isLineBasicMaterial?(o(m,g),g.isLineDashedMaterial&&a(m,g)):g.isPointsMaterial?l(
+m,g,x,w):g.isSpriteMaterial?c(m,g):g.isShadowMaterial?(m.color.value.copy(g.color),m.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(m,g){
+m.opacity.value=g.opacity,g.color&&m.diffuse.value.copy(g.color),g.emissive&&m.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(m.map.
+value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.bumpMap&&(m.bumpMap.value=g.bumpMap,t(g.bumpMap,
+m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===zn&&(m.bumpScale.value*=-1)),g.normalMap&&(m.normalMap.value=g.normalMap,t(g.normalMap,m.normalMapTransform),
+m.normalScale.value.copy(g.normalScale),g.side===zn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
+m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
+t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
+value=g.alphaTest);let x=e.get(g),w=x.envMap,b=x.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
+w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Og),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
+g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
+g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
+value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,x,w){
+m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,m.size.value=g.size*x,m.scale.value=w*.5,g.map&&(m.map.value=g.map,t(g.map,m.uvTransform)),g.alphaMap&&(m.
+alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function c(m,g){m.diffuse.value.copy(g.color),m.opacity.
+value=g.opacity,m.rotation.value=g.rotation,g.map&&(m.map.value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),
+g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function d(m,g){m.specular.value.copy(g.specular),m.shininess.value=Math.max(g.shininess,1e-4)}function u(m,g){g.
+gradientMap&&(m.gradientMap.value=g.gradientMap)}function h(m,g){m.metalness.value=g.metalness,g.metalnessMap&&(m.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
+m.metalnessMapTransform)),m.roughness.value=g.roughness,g.roughnessMap&&(m.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,m.roughnessMapTransform)),g.envMap&&
+(m.envMapIntensity.value=g.envMapIntensity)}function f(m,g,x){m.ior.value=g.ior,g.diffuseRoughness>0&&(m.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
+(m.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),g.sheen>0&&(m.sheenColor.value.copy(g.sheenColor).multiplyScalar(
+g.sheen),m.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(m.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,m.sheenColorMapTransform)),g.sheenRoughnessMap&&
+(m.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,m.sheenRoughnessMapTransform))),g.clearcoat>0&&(m.clearcoat.value=g.clearcoat,m.clearcoatRoughness.
+value=g.clearcoatRoughness,g.clearcoatMap&&(m.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,m.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.
+value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(m.clearcoatNormalMap.value=g.clearcoatNormalMap,
+t(g.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===zn&&m.clearcoatNormalScale.value.negate())),
+g.dispersion>0&&(m.dispersion.value=g.dispersion),g.retroreflectivity>0&&(m.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(m.iridescence.value=g.
+iridescence,m.iridescenceIOR.value=g.iridescenceIOR,m.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
+g.iridescenceMap&&(m.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,m.iridescenceMapTransform)),g.iridescenceThicknessMap&&(m.iridescenceThicknessMap.
+value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),g.transmission>0&&(m.transmission.value=g.transmission,m.transmissionSamplerMap.
+value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),g.transmissionMap&&(m.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,m.transmissionMapTransform)),
+m.thickness.value=g.thickness,g.thicknessMap&&(m.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=g.attenuationDistance,
+m.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(m.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
+g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=g.specularIntensity,
+m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
+g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
+(m.matcap.value=g.matcap)}function y(m,g){let x=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.
+near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
+n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",m));let C=w.program;n.updateUBOMapping(
 x,C);let S=e.render.frame;r[x.id]!==S&&(c(x),r[x.id]=S)}function l(x){let w=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
 i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(x){let w=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let S=0,_=b.
 length;S<_;S++){let M=b[S];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],S,R,C);else d(M,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,w,b,C){
@@ -3583,8 +3583,8 @@ F.__offset=G}}let S=b%C;return S>0&&(b+=C-S),x.__size=b,x.__cache={},this}functi
 lean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=
 16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
 orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),w===!0&&(b.boundary=16,b.storage=
-Math.ceil(b.storage/16)*16),b}function g(x){let w=x.target;w.removeEventListener("dispose",g),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function m(){
-for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+Math.ceil(b.storage/16)*16),b}function m(x){let w=x.target;w.removeEventListener("dispose",m),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
+for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3603,10 +3603,10 @@ for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
 1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Hi=null;function Rw(){return Hi===null&&(Hi=new $o(Cw,16,16,Os,Si),Hi.name="DFG_LUT",Hi.minFilter=
-On,Hi.magFilter=On,Hi.wrapS=Oi,Hi.wrapT=Oi,Hi.generateMipmaps=!1,Hi.needsUpdate=!0),Hi}var Hc=class{constructor(e={}){let{canvas:t=Km(),context:n=null,depth:s=!0,
+Bn,Hi.magFilter=Bn,Hi.wrapS=Oi,Hi.wrapT=Oi,Hi.generateMipmaps=!1,Hi.needsUpdate=!0),Hi}var Hc=class{constructor(e={}){let{canvas:t=Km(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,g=new Set([lc,ac,oc]),m=new Set([Hn,Mi,lo,sr,ic,sc]),
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,m=new Set([lc,ac,oc]),g=new Set([Hn,Mi,lo,sr,ic,sc]),
 x=new Uint32Array(4),w=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,S=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Gi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,I=!1,F=null,z=null,D=null,
@@ -3636,7 +3636,7 @@ se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.
 ut.set(E,k,j,q),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
-clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=g.has(Te)}if(Z){let Te=ce.texture.type,Pe=m.has(Te),Ae=O.getClearColor(),
+clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=m.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
 Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(w[0]=ke,w[1]=je,w[2]=dt,w[3]=Ie,B.clearBufferiv(
 B.COLOR,0,w))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
 setMask(4294967295)),q!==0&&B.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
@@ -3645,8 +3645,8 @@ this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},
 he.dispose(),$.dispose(),be.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Aa),le.removeEventListener("sessionend",Ai),Xi.
 stop()};function Oe(E){E.preventDefault(),ed("WebGLRenderer: Context Lost."),I=!0}function Je(){ed("WebGLRenderer: Context Restored."),I=!1;let E=Lt.autoReset,k=pe.
 enabled,j=pe.autoUpdate,q=pe.needsUpdate,Z=pe.type;Ze(),Lt.autoReset=E,pe.enabled=k,pe.autoUpdate=j,pe.needsUpdate=q,pe.type=Z}function Ce(E){Ke("WebGLRenderer:\
- A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){Pn(E),ze.
-remove(E)}function Pn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
+ A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){In(E),ze.
+remove(E)}function In(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
 function(E,k,j,q,Z,Te){k===null&&(k=cn);let Pe=Z.isMesh&&Z.matrixWorld.determinantAffine()<0,Ae=_o(E,k,j,q,Z);Se.setMaterial(q,Pe);let Ie=j.index,ke=1;if(q.wireframe===
 !0){if(Ie=$.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
 Math.max(Be,Te.start*ke),ft=Math.min(ft,(Te.start+Te.count)*ke)),Ie!==null?(Be=Math.max(Be,0),ft=Math.min(ft,Ie.count)):dt!=null&&(Be=Math.max(Be,0),ft=Math.min(
@@ -3657,7 +3657,7 @@ setMode(B.TRIANGLES);if(Z.isBatchedMesh)if($e.get("WEBGL_multi_draw"))Ct.renderM
 _multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?T.get(Ie).bytesPerElement:1,qi=ze.get(q).currentProgram.getUniforms();for(let nn=0;nn<tn;nn++)
 qi.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstancedMesh)Ct.renderInstances(Be,Xt,Z.count);else if(j.isInstancedBufferGeometry){let hn=j.
 _maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function po(E,k,j,q){F!==
-null&&E.isNodeMaterial&&F.setObject(q,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===Vi&&E.forceSinglePass===!1?(E.side=kn,E.needsUpdate=!0,Ei(E,k,
+null&&E.isNodeMaterial&&F.setObject(q,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===Vi&&E.forceSinglePass===!1?(E.side=zn,E.needsUpdate=!0,Ei(E,k,
 q),E.side=Fs,E.needsUpdate=!0,Ei(E,k,q),E.side=Vi):Ei(E,k,q)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),S=te.get(j),S.init(
 k),M.push(S),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
 Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),S.setupLights(),F!==null&&F.updateLights(S.state.lightsArray),Qt=this.localClippingEnabled,
@@ -3697,12 +3697,12 @@ let Ae=P.getRenderTarget(),Ie=P.getActiveCubeFace(),ke=P.getActiveMipmapLevel();
 16777215,.5),P.clear(),$t&&O.render(j);let je=P.toneMapping;P.toneMapping=Gi;let dt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),S.setupLightsView(q),
 Ut===!0&&ie.setGlobalState(P.clippingPlanes,q),qt(E,j,q),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),$e.has("WEBGL_multisampled_render_\
 to_texture")===!1){let Be=!1;for(let ft=0,Xt=k.length;ft<Xt;ft++){let Et=k[ft],{object:Ct,geometry:hn,material:Ue,group:tn}=Et;if(Ue.side===Vi&&Ct.layers.test(q.
-layers)){let mt=Ue.side;Ue.side=kn,Ue.needsUpdate=!0,Kt(Ct,j,q,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
+layers)){let mt=Ue.side;Ue.side=zn,Ue.needsUpdate=!0,Kt(Ct,j,q,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
 Te))}P.setRenderTarget(Ae,Ie,ke),P.setClearColor(ee,me),dt!==void 0&&(q.viewport=dt),P.toneMapping=je}function qt(E,k,j){let q=k.isScene===!0?k.overrideMaterial:
 null;for(let Z=0,Te=E.length;Z<Te;Z++){let Pe=E[Z],{object:Ae,geometry:Ie,group:ke}=Pe,je=Pe.material;je.allowOverride===!0&&q!==null&&(je=q),Ae.layers.test(j.layers)&&
 Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,q,Z,Te){F!==null&&Z.isNodeMaterial&&F.setObject(E,Z),E.onBeforeRender(P,k,j,q,Z,Te),E.modelViewMatrix.multiplyMatrices(j.
 matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(P,k,j,q,E,Te),Z.transparent===!0&&Z.side===Vi&&Z.forceSinglePass===
-!1?(Z.side=kn,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Fs,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Vi):P.renderBufferDirect(
+!1?(Z.side=zn,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Fs,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Vi):P.renderBufferDirect(
 j,k,q,Z,E,Te),E.onAfterRender(P,k,j,q,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let q=ze.
 get(E),Z=S.state.lights,Te=S.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,S.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
 ke=q.programs;q.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?k.environment:null,q.fog=k.fog;let je=E.isMeshStandardMaterial||
@@ -3745,8 +3745,8 @@ q.isMeshLambertMaterial||q.isMeshBasicMaterial||q.isMeshStandardMaterial||q.isSh
 Xe),tn.state.pointShadowMap.length>0&&ct.setValue(B,"pointShadowMap",tn.state.pointShadowMap,Xe)),Z.isSkinnedMesh){ct.setOptional(B,Z,"bindMatrix"),ct.setOptional(
 B,Z,"bindMatrixInverse");let Rt=Z.skeleton;Rt&&(Rt.boneTexture===null&&Rt.computeBoneTexture(),ct.setValue(B,"boneTexture",Rt.boneTexture,Xe))}Z.isBatchedMesh&&
 (ct.setOptional(B,Z,"batchingTexture"),ct.setValue(B,"batchingTexture",Z._matricesTexture,Xe),ct.setOptional(B,Z,"batchingIdTexture"),ct.setValue(B,"batchingIdT\
-exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let In=j.
-morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
+exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let Ln=j.
+morphAttributes;if((Ln.position!==void 0||Ln.normal!==void 0||Ln.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==
 null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Rw()),Ci){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
 Ue.needsLights&&ur(Yt,Yi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,S.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
@@ -3800,15 +3800,15 @@ Se.pixelStorei(B.UNPACK_FLIP_Y_WEBGL,k.flipY),Se.pixelStorei(B.UNPACK_PREMULTIPL
 let tn=Se.getParameter(B.UNPACK_ROW_LENGTH),mt=Se.getParameter(B.UNPACK_IMAGE_HEIGHT),qi=Se.getParameter(B.UNPACK_SKIP_PIXELS),nn=Se.getParameter(B.UNPACK_SKIP_ROWS),
 fr=Se.getParameter(B.UNPACK_SKIP_IMAGES);Se.pixelStorei(B.UNPACK_ROW_LENGTH,Et.width),Se.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Et.height),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,
 ke),Se.pixelStorei(B.UNPACK_SKIP_ROWS,je),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,dt);let Ci=E.isDataArrayTexture||E.isData3DTexture,Yi=k.isDataArrayTexture||k.isData3DTexture;
-if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),In=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);Se.bindFramebuffer(B.READ_FRAMEBUFFER,In.__webglFramebuffer),
+if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),Ln=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);Se.bindFramebuffer(B.READ_FRAMEBUFFER,Ln.__webglFramebuffer),
 Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,Rt.__webglFramebuffer);for(let sn=0;sn<Ie;sn++)Ci&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(
 E).__webglTexture,Z,dt+sn),B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(k).__webglTexture,Te,Xt+sn)),B.blitFramebuffer(ke,je,ke+Pe,je+
 Ae,Be,ft,Be+Pe,ft+Ae,B.DEPTH_BUFFER_BIT,B.NEAREST);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else if(Z!==0||E.isRenderTargetTexture||
-ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let In=0;In<Ie;In++)Ci?B.framebufferTextureLayer(
-B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+In):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
-Yi?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+In):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
+ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let Ln=0;Ln<Ie;Ln++)Ci?B.framebufferTextureLayer(
+B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+Ln):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
+Yi?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+Ln):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
 TEXTURE_2D,Yt.__webglTexture,Te),Z!==0?B.blitFramebuffer(ke,je,ke+Pe,je+Ae,Be,ft,Be+Pe,ft+Ae,B.COLOR_BUFFER_BIT,B.NEAREST):Yi?B.copyTexSubImage3D(Ue,Te,Be,ft,Xt+
-In,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else Yi?E.isDataTexture||
+Ln,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else Yi?E.isDataTexture||
 E.isData3DTexture?B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et.data):k.isCompressedArrayTexture?B.compressedTexSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,Et.data):
 B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et):E.isDataTexture?B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et.data):E.isCompressedTexture?B.compressedTexSubImage2D(
 B.TEXTURE_2D,Te,Be,ft,Et.width,Et.height,Ct,Et.data):B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et);Se.pixelStorei(B.UNPACK_ROW_LENGTH,tn),Se.pixelStorei(
@@ -3841,8 +3841,8 @@ a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];
 p)}}let u=[];if(gd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ti.create(a,c,l),Ti.create(d,a,l),Ti.create(d,l,c),Ti.create(d,
 c,a));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+1].getEdge(2).setTwin(u[0].getEdge((3-h)%3)),u[h+1].getEdge(0).setTwin(u[f+1].getEdge(1))}}for(let h=0;h<4;h++)this.
-faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let g=0;g<4;g++){let m=this.faces[g].
-distanceToPoint(p.point);m>r&&(r=m,y=this.faces[g])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
+faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let m=0;m<4;m++){let g=this.faces[m].
+distanceToPoint(p.point);g>r&&(r=g,y=this.faces[m])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
 let n=this.faces[t];n.mark===qc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
 mark=Pw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
@@ -3876,16 +3876,16 @@ width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0,
 i}function Ow(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ta;return e?Fw(t):t}function Xg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),y=i==="marks"?"ma\
-rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),g=i==="marks"?new no(.5):y.geometry(f),
-m=new Cs(g,Ow(i,y.has_edges),p.length);return m.frustumCulled=!1,i==="marks"&&(m.renderOrder=2),n.add(m),{mesh:m,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,g=new Bn,m=new V,x=new rt;for(let{mesh:w,rows:b}of r)
+rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),m=i==="marks"?new no(.5):y.geometry(f),
+g=new Cs(m,Ow(i,y.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,m=new kn,g=new V,x=new rt;for(let{mesh:w,rows:b}of r)
 b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==or&&h.mark[C]!==jc)||f.hidden?.(C))w.setMatrixAt(S,Uw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(m.setScalar(Math.min(...bd(M))),g.identity()):(m.set(...Hg(M)),g.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),w.setMatrixAt(
-S,p.compose(y,g,m))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
+i==="marks"?(g.setScalar(Math.min(...bd(M))),m.identity()):(g.set(...Hg(M)),m.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),w.setMatrixAt(
+S,p.compose(y,m,g))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Cs(
-new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:g},m)=>{f.setMatrixAt(
-m,p.compose(new V(...y),new Bn,new V().setScalar(g)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(g=>({distance:g.
-distance,row:p[g.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:m},g)=>{f.setMatrixAt(
+g,p.compose(new V(...y),new kn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(m=>({distance:m.
+distance,row:p[m.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
  6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Yg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
 ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(kw[i],'\
 "/></svg>'),e}function Bs(i,e,t){let n=X("button",{type:"button",className:i,title:e},Yg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
@@ -3895,15 +3895,15 @@ list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_
 played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
 "aria-label",n);let h=X("select",{className:"speed"},...Bw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
 "speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
-activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,S(),R&&r(0)},g=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
-m=R=>{y(),g(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,g(c),(l>0?c>=i.last:c<=i.first)&&y()},w=R=>{if(l===
-R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&g(i.first),R<0&&o<=i.first&&g(i.last),c=o,d=performance.now(),a=setInterval(x,qg),S(),r(R)},b=Bs("play","pl\
+activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,S(),R&&r(0)},m=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
+g=R=>{y(),m(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,m(c),(l>0?c>=i.last:c<=i.first)&&y()},w=R=>{if(l===
+R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&m(i.first),R<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(x,qg),S(),r(R)},b=Bs("play","pl\
 ay",()=>w(1)),C=Bs("back","play backwards",()=>w(-1));function S(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
-Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),g(i.beside(o,R))};return u.addEventListener("input",()=>m(Number(u.
+Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),m(i.beside(o,R))};return u.addEventListener("input",()=>g(Number(u.
 value))),u.addEventListener("keydown",R=>{let P={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[R.key];P===void 0||R.ctrlKey||R.metaKey||
-R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{m(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
-player"},Bs("first","first step",()=>m(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>m(i.last)),
-h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:m,move:_,play:w,stop:y,get step(){
+R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
+player"},Bs("first","first step",()=>g(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>g(i.last)),
+h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:w,stop:y,get step(){
 return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*qg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
 f.max=R,P},refresh:p}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
@@ -3917,28 +3917,28 @@ i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||
 let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
 n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var zw=.07,Vw=.25;function Md(i,e){let t=new Vn,n=new Ls(.5,.5,1,6).translate(0,.5,0),s=new jo(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
 opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Cs(y,r,a.length)),u=zw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:g,impulse:m},x)=>{let w=u*Math.max(Vw,Math.sqrt(Math.max(0,m)/h)),b=new Bn().
-setFromUnitVectors(f,new V(...g).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:m,impulse:g},x)=>{let w=u*Math.max(Vw,Math.sqrt(Math.max(0,g)/h)),b=new kn().
+setFromUnitVectors(f,new V(...m).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
 C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,Gw=2;function Hw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
 n}function Sd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Ww(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(wd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-Gw));let{radius:o}=t,a=new Ho,l=new Fn(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
+Gw));let{radius:o}=t,a=new Ho,l=new On(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new ra("#ffffff","#c9d1da",1.9),c,d),s){let _=new ha(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
 a.add(_)}let u=Ww(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
-g=!1,m=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
-u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>g&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,m=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
+m=!1,g=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
+u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
 Math.max(1,_.y),l.updateProjectionMatrix(),w(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
 P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of y.values())F.visible=
 M===1||I===R;r.render(a,l)}},S=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:S,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
-{describe(P){R.describe(P),S()},show(P,I){R.show(P,I),S()}}},set_side_by_side(_){g=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
+{describe(P){R.describe(P),S()},show(P,I){R.show(P,I),S()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
 _),M&&M.points.length>0){let{points:R,colour:P,dash:I,on_top:F}=M,z={color:P,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new na({...z,dashSize:I,gapSize:.7*
 I}):new Ps(z),G=Hw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let R=b(),
 P=Math.min(R-1,Math.floor(_*R));w(),l.updateMatrixWorld();let I=new la;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
 I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),S()},zoom(_){
 u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),S()},pan(_,M){w(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(wd/2*Math.PI/180),P=new V().setFromMatrixColumn(
 l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),S()},look_at(_){u.centre.set(..._),S()},
-resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),m?C():S())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
+resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),g?C():S())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
 _.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Xw=.05,$w=40,qw=.15,ks=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Yw(i){let{actual_mm:e,expected_mm:t}=i.
 frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=ks(n,o),l=ks(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Zw(i,e){
 let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Ad,Xw*Math.min(t,r>0?r:t))})}
@@ -4006,55 +4006,55 @@ this.selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(asy
 way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],
 colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,session:1}:null))}resize(){let{
 clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function n1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
-e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bodies"))];return e.
-finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(lr(
-"bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
-a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
-y)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),
-a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows places in m, z up, and names the first difference by the ta\
-ble's axes")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", a\
-nd those of inputs)"):"has every state",u=!a.ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its time\
-line has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(
-h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}
-function t0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","sta\
-tus");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.
-path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[
-X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...n1(l)])),n.replaceChildren(
-...i1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?
-"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function zn(i,e,t="",n=null){
+e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bod").concat(t.count===
+1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.
+some(o=>o>0)&&r.push(lr("bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{
+head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f,"\
+ to ").concat(p,": ").concat(y)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline \
+was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows places in m, z up").concat(
+t?", and names the first difference by the table's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.
+first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps,
+" states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,
+", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts\
+ begun are not counted: ".concat(n)]),e}function t0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",
+hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X(
+"span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(
+...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.
+title})]:[],...n1(l)])),n.replaceChildren(...i1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){
+s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Vs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
 function r1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ps("","number");if(a!==null&&
 n){let u=X("button",{type:"button",className:"link",textContent:"plot"}),h=()=>u.setAttribute("aria-pressed",String(n.has(a,e,l??0)));u.setAttribute("aria-label",
 "plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return cr(X("th",{scope:"row",textContent:c}),ps(o,
 "number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function i0(i,{id:e,
-label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(g=>g.why_not),h=X("table",{className:"\
-numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(g=>X("th",{scope:"col",textContent:g,className:"\
-number"})))));let f=X("tbody"),p=r.find(g=>g.fields);for(let[g,{field:m}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[g]),w=x.map(S=>S?.hex??String(S?.
-value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:m}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(zn(zs(S.value),()=>c(m),"".
-concat(S.hex??""," \u2013 where does it come from?"),"".concat(m," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
-S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(g=>Number(g.toPrecision(4))).join(" \xD7 ")," \
+label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
+numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(m=>X("th",{scope:"col",textContent:m,className:"\
+number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:g}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[m]),w=x.map(S=>S?.hex??String(S?.
+value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:g}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(Pn(zs(S.value),()=>c(g),"".
+concat(S.hex??""," \u2013 where does it come from?"),"".concat(g," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
+S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(m=>Number(m.toPrecision(4))).join(" \xD7 ")," \
 m"):"size unknown"];p&&y.push(p.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),
 o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(r1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
 r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; t\
 umble dump prints every bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));
 if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",
-zn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".
+Pn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".
 concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(
-X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ps(""),p=y=>zn(n.short(
+X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ps(""),p=y=>Pn(n.short(
 y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ps("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),ps(
 An(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thead",{},cr(X("th",{scope:"col",textContent:"bodies"}),X(
 "th",{scope:"col",textContent:"impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scro\
 ll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function r0(i,e,t,n,s,r){if(!e)return i.replaceChildren(
 X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X(
-"p",{},zn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(zs(e.value)," ").concat(e.unit)),
-a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},zn("step ".concat(
+"p",{},Pn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(zs(e.value)," ").concat(e.unit)),
+a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},Pn("step ".concat(
 l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.
-map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":zn(t.label(u.with),()=>s(u.with))),h.append("\
+map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.label(u.with),()=>s(u.with))),h.append("\
 : ".concat(zs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??
 [])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(
 e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(zs(i)).concat(e?" (".concat(e,")"):"");function o1(i,e){if(i.why_not)return X("p",{className:"\
-soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ps("","number");s.step===null?r.textContent="never":r.append(zn(String(
+soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ps("","number");s.step===null?r.textContent="never":r.append(Pn(String(
 s.step),()=>e(s.step),"","step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ps(s.step===null?"":String(s.substep),"number"),ps(String(
 s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
 able",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},cr(...n.map(
@@ -4066,23 +4066,26 @@ i.unequal,"; the ").concat(i.steps," steps of both are the same in all else that
 X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Cd(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));
 let o=[],a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join("\
 , "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),
-e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=X("p",{});l.body!==null&&c.append(zn(t(l.body),()=>s(l.body)),", "),c.append(
-"".concat(l.field,": ").concat(n0(l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));let d=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(
-l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),o.push(c);let u=X("button",{type:"button",className:"jump",textContent:"Go to the\
- first difference"});u.addEventListener("click",()=>n(a.step)),o.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>0?o.push(X("ul",{className:"marks"},...h.
-map(({above:f,step:p,body:y})=>X("li",{},"more than ".concat(An(f)," apart from "),zn("step ".concat(p),()=>n(p)),", ",zn(t(y),()=>s(y)))))):e.growth_unknown&&o.
-push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.
-push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
-["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
-fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, with Shift move; \
-zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].
-rows.breaks(),...t.map(({step:l})=>l),...n.flatMap(([l,c])=>[l,c])];s!==null&&r.push(s);let{step:o}=i.player,a=r.filter(l=>e>0?l>o:l<o).sort((l,c)=>e*(l-c));a.length>
-0&&i.player.seek(a[0])}function l0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.
-player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.first),End:()=>i.player.seek(i.steps.last),"[":()=>a0(i,-1),"]":()=>a0(
-i,1),d:()=>i.go_to_first_difference(),"/":()=>i.search.focus(),n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener(
-"keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.
-key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Vs("Keys",
-{open:!1});return n.append(X("dl",{className:"keys"},...a1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
+e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=l.step!==a.step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append(
+"Effect: ",Pn("step ".concat(l.step),()=>n(l.step)),", phase ".concat(l.phase,", ")),l.body!==null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),d.append("".concat(
+l.field,": ").concat(n0(l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(
+3)):l.ulps;u!==null&&d.append(", ".concat(u," ULPs apart")),o.push(d);let h=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});
+if(h.addEventListener("click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{type:"button",className:"jump",textContent:"Go to the first state that dif\
+fers"});p.addEventListener("click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,
+step:y,body:m})=>X("li",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(y),()=>n(y)),", ",Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"\
+soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"\
+soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+["[  ]","the input, difference, gap or break of a bound before, after"],["d  D","the first difference, the first state that differs"],["/","search"],["n  N","ne\
+xt run of steps found, the one before"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in \
+the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s,
+first_effect:r}=i.marks(),o=[...i.sessions[0].rows.breaks(),...t.map(({step:c})=>c),...n.flatMap(([c,d])=>[c,d])];o.push(...[s,r].filter(c=>c!==null));let{step:a}=i.
+player,l=o.filter(c=>e>0?c>a:c<a).sort((c,d)=>e*(c-d));l.length>0&&i.player.seek(l[0])}function l0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.
+player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.
+first),End:()=>i.player.seek(i.steps.last),"[":()=>a0(i,-1),"]":()=>a0(i,1),d:()=>i.go_to_first_difference(),D:()=>i.go_to_first_effect(),"/":()=>i.search.focus(),
+n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener("keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||
+s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.key===" "||s.key==="Enter"))return;let o=e[s.key]??
+(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Vs("Keys",{open:!1});return n.append(X("dl",{className:"key\
+s"},...a1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
 Number(i.toPrecision(6))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),l1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
 "\u2013",u0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:l1,top:i=>Math.max(1,...c1(i.bodies))},{name:"contacts",kind:"line",of:(i,e)=>i.
 contacts[e],words:(i,e)=>Rd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Rd(i.begun[e]),late:!0},{name:"energy",kind:"\
@@ -4140,8 +4143,8 @@ kind:"wrong",words:'"'.concat(n[2],'" is not the unit of ').concat(e,", which ")
  no number')}}function g0(i,e){let t=/^channel\.(.+)$/i.exec(i)?.[1];return t!==void 0&&!(i in e)&&t in e?t:null}function _0(i,e){let t=i.split(/(\s+and\s+)/i),
 n=[];for(let s=1;s<t.length;s+=2)n.push([t.slice(0,s).join(""),t.slice(s+1).join("")]);return n.find(s=>s.every(e))??n[0]??[i]}function x0(i,e=[]){let t=Di(Object.
 fromEntries(e.map(({name:f,unit:p})=>[f,p]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+(\d+)$/i.exec(n);if(s)return{kind:"step",step:Number(s[1])};
-let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,y,g={})=>{let{
-bound:m,...x}=p1(r[3],p,y);return m===void 0?x:{kind:f,quantity:p,unit:y,comparison:l,bound:m,...g}},d=(f,p,y)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
+let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,y,m={})=>{let{
+bound:g,...x}=p1(r[3],p,y);return g===void 0?x:{kind:f,quantity:p,unit:y,comparison:l,bound:g,...m}},d=(f,p,y)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
 ity').concat(p,"; there are ").concat(y.flatMap(Object.keys).join(", "))}),u=g0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
 exec(o);if(h){let f=h[1].toLowerCase(),p=g0(h[1],t);return p!==null?c("channel steps",p,t[p],{body:h[2]}):f in ah?c("body steps",f,ah[f].unit,{body:h[2]}):h[1]in
 t?c("channel steps",h[1],t[h[1]],{body:h[2]}):d(h[1]," of a body",[ah,t])}return a in oh?c("steps",a,oh[a].unit):o in t?c("steps",o,t[o]):d(o,"",[oh,t])}function y0(i,e,t){
@@ -4153,32 +4156,32 @@ i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}fu
 An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}function b0(i){let e=X("input",{type:"search",placeholder:"speed > 5, speed of 12\
  > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a condition, or for a body by id or name");let t=X("output",
 {ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:p}=i.sessions[0],y=p.find(s.text);return t.value=y.length===
-0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(g=>X("li",{},zn(p.label(p.id(g)),()=>i.select(
-p.id(g))),p.label(p.id(g)).includes(p.name(g))?"":" ".concat(p.name(g))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:g}=i.sessions[0];return g?
-(t.value="the timeline was not read: ".concat(g),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,m=>i.separation_at(m)),s.unit,y)},l=p=>i.sessions.slice(0,
-p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,g=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),m=[...new Set(g.flat())];if(m.
-length!==1)return t.value=m.length===0?'no body "'.concat(y.body,'"'):"".concat(m.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
+0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(m=>X("li",{},Pn(p.label(p.id(m)),()=>i.select(
+p.id(m))),p.label(p.id(m)).includes(p.name(m))?"":" ".concat(p.name(m))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:m}=i.sessions[0];return m?
+(t.value="the timeline was not read: ".concat(m),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,g=>i.separation_at(g)),s.unit,y)},l=p=>i.sessions.slice(0,
+p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,m=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),g=[...new Set(m.flat())];if(g.
+length!==1)return t.value=g.length===0?'no body "'.concat(y.body,'"'):"".concat(g.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
 i.set_hits([]),[];let{unit:x}=y,w=y.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],S=_=>s!==y?!1:(b[0]&&(!w||b[1])&&(C=u(v0(y,...b),x,_,_1(i.
-sessions[0],x))),!0);try{for(let _ of w?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(m[0],R=>(b[_]=R,S(!1)&&s===y)),!S(M&&l(w)))return[]}p&&i.selected!==
-m[0]&&i.select(m[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,g=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
-{of:m,unit:x}=y.rows.channel_heads[g],w=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=m==="pairs"?_0(p.body,M=>y.bodies.find(M).length===1):[p.body];if(m===
-"step")return w('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(m==="pairs"&&b.length!==2)return w('"'.concat(p.quantity,'" is a channel \
+sessions[0],x))),!0);try{for(let _ of w?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(g[0],R=>(b[_]=R,S(!1)&&s===y)),!S(M&&l(w)))return[]}p&&i.selected!==
+g[0]&&i.select(g[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,m=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
+{of:g,unit:x}=y.rows.channel_heads[m],w=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=g==="pairs"?_0(p.body,M=>y.bodies.find(M).length===1):[p.body];if(g===
+"step")return w('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(g==="pairs"&&b.length!==2)return w('"'.concat(p.quantity,'" is a channel \
 of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!y.channel_history)return w("this page has no channels of single bodies; a served page (tumble view withou\
 t -o) has");let C=b.map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return w(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' \
-bodies answer to "').concat(b[M],'"; wanted one'));let[S,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(g,S,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===
-p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&w(M.message)}},u=({runs:p,judged:y},g,m,x="")=>{let w=m?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"\
+bodies answer to "').concat(b[M],'"; wanted one'));let[S,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(m,S,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===
+p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&w(M.message)}},u=({runs:p,judged:y},m,g,x="")=>{let w=g?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"\
 no step has a value of it".concat(w):"in no step".concat(w);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(
 w,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+x,r=p.slice(0,lh).map(S=>{let _=S.first===
-S.last?"step ".concat(S.first):"steps ".concat(S.first," to ").concat(S.last),M=X("li",{},zn(_,()=>i.player.seek(S.first)),m1[s.comparison],zn("".concat(g1(S.peak,
-g)),()=>i.player.seek(S.at),"at step ".concat(S.at)));return S.body&&M.append(", ",zn(i.sessions[0].bodies.label(S.body),()=>i.select(S.body))),M}),n.replaceChildren(
+S.last?"step ".concat(S.first):"steps ".concat(S.first," to ").concat(S.last),M=X("li",{},Pn(_,()=>i.player.seek(S.first)),m1[s.comparison],Pn("".concat(g1(S.peak,
+m)),()=>i.player.seek(S.at),"at step ".concat(S.at)));return S.body&&M.append(", ",Pn(i.sessions[0].bodies.label(S.body),()=>i.select(S.body))),M}),n.replaceChildren(
 ...r),p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," more")})),i.set_hits(p),p},h=()=>(r=[],s=x0(e.value,i.sessions[0].rows.
 channel_heads),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.
 value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
 "keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="bod\
-y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,g)=>{
-let m=X("button",{type:"button",textContent:p,title:y});return m.setAttribute("aria-label",y),m.addEventListener("click",()=>i.next_hit(g)),m};return{place:X("d\
+y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,m)=>{
+let g=X("button",{type:"button",textContent:p,title:y});return g.setAttribute("aria-label",y),g.addEventListener("click",()=>i.next_hit(m)),g};return{place:X("d\
 iv",{className:"search"},X("div",{className:"search-row"},e,f("\u2039","the run of steps before (N)",-1),f("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.
-focus(),at(p){r.forEach((y,g)=>y.classList.toggle("at",g===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
+focus(),at(p){r.forEach((y,m)=>y.classList.toggle("at",m===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
 channel steps"&&d()}}}var x1=["box","grid","tower","pyramid","wall","pile","thrown"];var y1=["crate","brick","wood","concrete","white"],uo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
 return this.json.static[e]===1}texture(e){return y1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
@@ -4201,7 +4204,7 @@ step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([v1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var S0=async i=>JSON.parse(new TextDecoder().decode(await T0(i))),w0=i=>i>>>1^-(i&1);function b1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,g=w0(y)+2*u-h|0;h=u,u=g,l[f*t+c]=g*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=w0(y)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
 t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=w0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
 e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ld=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new uo(t.bodies),this.rows=new fo(e.channels),this.
 rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
@@ -4262,9 +4265,9 @@ i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.
 s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function P1(i,e,t,n,s,r){let{context:o,width:a,height:l}=P0(i),c=C1(t,e.of,n,a),d=R1(c,e,t);if(!d)return!1;let u=e.log?
 x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
 r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.
-fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,g=0,m=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(m=x,p(c.high[x])),
-y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),g=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
-g,l),o.lineTo(m,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function I0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
+fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,m=0,g=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(g=x,p(c.high[x])),
+y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),m=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
+m,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function I0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
 group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=R0(E1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
 Math.max(1,e().last-e().first)*(x-1),h=(x,w,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),w),b),f=x=>{c=x.map(
 w=>{let b=R0(A1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
@@ -4274,12 +4277,12 @@ b-7,Math.max(2,P(I.last)-P(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){l
 null&&(x.fillStyle=C.bad,x.fillRect(P(R)-1,0,2,b),x.beginPath(),x.moveTo(P(R)+1,0),x.lineTo(P(R)+9,4),x.lineTo(P(R)+1,8),x.fill())},y=()=>{let x=i.index(d),w=i.
 reaches(d)?x:-1;for(let{lane:S,value:_}of c)_.textContent=w<0||i.step[w]===void 0?"\u2013":S.words(i,w);let b=n().inputs.filter(S=>S.step===d);l.textContent=b.length>
 0?b.map(({kind:S,body:_})=>"".concat(S).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
-offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},g=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
-let _=P1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},m=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
+offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},m=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
+let _=P1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},g=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
 b=Math.min(1,Math.max(0,(x.clientX-w.left)/Math.max(1,w.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
-x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),m(x))}),r.addEventListener("pointermove",m),new ResizeObserver(g).observe(r),{place:r,draw:g,set_lanes:f,
-show(x){d=x,y()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let g=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return g.
-addEventListener("click",()=>{y(),u()}),{made:g,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),g(x))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,
+show(x){d=x,y()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
+addEventListener("click",()=>{y(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
@@ -4301,34 +4304,35 @@ body:t}=this.addressed(),n=e??this.steps.first;this.drawing.frames=await Promise
 this.player.seek(n),this.player.refresh(),t!==null&&this.select(t),addEventListener("hashchange",()=>this.go_to_address());for(let s of this.sessions)s.on_bodies=
 ()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(this.view),Xa(()=>{this.drawing.restart(),this.timeline.draw()}),
 this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){let[{rows:e}]=this.sessions;return{gaps:this.sessions.flatMap(
-t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null}}set_lanes(){let{rows:e}=this.sessions[0],t=[...this.plots?.lanes()??
-[],...d0(this.bounds),...u0,...f0(e)];this.difference?.separation&&t.unshift(m0(this.difference.separation)),this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){
-let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??1/0])),this.separations.get(e)??null):null}changed(e){let{
-head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.difference?.separation;this.difference=e,this.
-side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&this.player.seek(n),this.header.show(),this.
-side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.asked,n=this.sessions.map(s=>s.frame(
-s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.player.stride);n.every(s=>s!==null)?
-this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),I1)}own_step(e,t){return new ar(e.head.first,e.
-head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.now(),r=await Promise.
-all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,(t===this.asked||this.
-player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;this.wanted=null,n&&this.
-fetch_frames(...n)}show_frames(e,t){this.drawing.frames=t,this.drawing.show(),this.shown=e;let n=this.words(e,t);this.said.value=n,this.player.slider.setAttribute(
-"aria-valuetext",n);let s=t[0]&&t[0].status!==0?this.sessions[0].gap_at(e):null,r=t.every(o=>o===null||o.status!==0);this.drawing.over.hidden=!r,this.drawing.over.
-textContent=r?s?"Step ".concat(e," is not here: ").concat(s[2],"."):"The state of step ".concat(e," cannot be read."):""}words(e,t){let[n]=this.sessions,[s]=t,r=[
-"step ".concat(e),"".concat(n.time_of(e).toFixed(3)," s")];if(s&&s.status===0){let o=[0,0,0,0];for(let a of s.mark)++o[a];if(r.push("".concat(o[1]+o[2]+o[3]," b\
-odies, ").concat(o[2]," asleep")),o[3]>0){let a=s.mark.indexOf(3);r.push("".concat(n.bodies.label(n.bodies.id(a))).concat(o[3]>1?" and ".concat(o[3]-1," more"):
-""," lost: no numbers"))}s.step!==e&&r.push("A shows step ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(e)[2]);if(this.sessions.length===2){let o=this.difference?.
-first?.step,a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?"infinitely far apart":"at most ".concat(a.toPrecision(3),
-" m apart"))}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===null?"":"&body=".concat(this.selected));try{history.replaceState(
-null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.header.trouble(n))}refresh(){this.player.refresh()}tell(e){e&&
-this.told.value!==e&&(this.told.value=e)}said_playing(e){this.said.setAttribute("aria-live",e===0?"polite":"off"),this.tell(e===0?"stopped at ".concat(this.said.
-value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell(e===null?"no body is chosen":"".concat(this.side.label(e)," is chosen")),this.selected=
-e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().catch(t=>this.header.trouble(t)),
-this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.first?.step;e!==void 0&&this.
-player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.
-length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function N0(i){try{let e=JSON.parse(
-document.getElementById("session-head").textContent),t=await(e.mode==="sent"?A0:C0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(
-X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function L1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null,first_effect:this.difference?.effect?.step??null}}set_lanes(){let{
+rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...d0(this.bounds),...u0,...f0(e)];this.difference?.separation&&t.unshift(m0(this.difference.separation)),
+this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??
+1/0])),this.separations.get(e)??null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.
+difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&
+this.player.seek(n),this.header.show(),this.side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.
+asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.
+player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),I1)}own_step(e,t){
+return new ar(e.head.first,e.head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.
+now(),r=await Promise.all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,
+(t===this.asked||this.player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;
+this.wanted=null,n&&this.fetch_frames(...n)}show_frames(e,t){this.drawing.frames=t,this.drawing.show(),this.shown=e;let n=this.words(e,t);this.said.value=n,this.
+player.slider.setAttribute("aria-valuetext",n);let s=t[0]&&t[0].status!==0?this.sessions[0].gap_at(e):null,r=t.every(o=>o===null||o.status!==0);this.drawing.over.
+hidden=!r,this.drawing.over.textContent=r?s?"Step ".concat(e," is not here: ").concat(s[2],"."):"The state of step ".concat(e," cannot be read."):""}words(e,t){
+let[n]=this.sessions,[s]=t,r=["step ".concat(e),"".concat(n.time_of(e).toFixed(3)," s")];if(s&&s.status===0){let o=[0,0,0,0];for(let l of s.mark)++o[l];let a=o[1]+
+o[2]+o[3];if(r.push("".concat(a," bod").concat(a===1?"y":"ies",", ").concat(o[2]," asleep")),o[3]>0){let l=s.mark.indexOf(3);r.push("".concat(n.bodies.label(n.bodies.
+id(l))).concat(o[3]>1?" and ".concat(o[3]-1," more"):""," lost: no numbers"))}s.step!==e&&r.push("A shows step ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(
+e)[2]);if(this.sessions.length===2){let o=this.difference?.first?.step,a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?
+"infinitely far apart":"at most ".concat(a.toPrecision(3)," m apart"))}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===
+null?"":"&body=".concat(this.selected));try{history.replaceState(null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.
+header.trouble(n))}refresh(){this.player.refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_playing(e){this.said.setAttribute("aria-live",e===0?
+"polite":"off"),this.tell(e===0?"stopped at ".concat(this.said.value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell(e===null?"no bod\
+y is chosen":"".concat(this.side.label(e)," is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.
+drawing.show(),this.drawing.show_ways().catch(t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){
+let e=this.difference?.first?.step;e!==void 0&&this.player.seek(e)}go_to_first_effect(){let e=this.difference?.effect?.step;e!==void 0&&this.player.seek(e)}set_hits(e){
+this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.
+hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function N0(i){try{let e=JSON.parse(document.getElementById("se\
+ssion-head").textContent),t=await(e.mode==="sent"?A0:C0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(X("p",{className:"bad",textContent:"\
+This cannot be drawn: ".concat(e.message)})),e}}function L1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
 groups??"").split(" "),s=Np(i,e,{first:t,groups:n}),r=Kg(i,e,s.show_step);Xa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
 i)}function N1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
 try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var U0=document.createElement(

@@ -7,7 +7,7 @@ function facts_of(session) {
   const { head, bodies, rows } = session;
   const steps = head.last - head.first;
   const chips = [chip(head.engine ?? `method ${head.method}`), chip(`${steps} step${steps === 1 ? "" : "s"}`),
-    chip(`${Number(session.time_of(head.last).toPrecision(4))} s`), chip(`${bodies.count} bodies`)];
+    chip(`${Number(session.time_of(head.last).toPrecision(4))} s`), chip(`${bodies.count} bod${bodies.count === 1 ? "y" : "ies"}`)];
   if (!head.finished) chips.push(chip("not finished: followed to its last chunk", "warn"));
   else if (!head.sound || session.gaps().length > 0) chips.push(chip("damaged", "fail"));
   if (rows.lost.some((count) => count > 0)) chips.push(chip("bodies lost", "fail"));
@@ -24,7 +24,7 @@ function notices_of(page) {
     for (const [first, last, why] of session.gaps()) notices.push(["fail", `${who}steps ${first} to ${last}: ${why}`]);
     if (session.note) notices.push(["fail", `${who}${session.note}`]);
     if (session.unread && session.unread !== session.note) notices.push(["fail", `${who}The timeline was not read: ${session.unread}`]);
-    if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows places in m, z up, and names the first difference by the table's axes`]);
+    if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows places in m, z up${two ? ", and names the first difference by the table's axes" : ""}`]);
     if (!thin) return;
     const every = thin.every > 1;
     const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`

@@ -4,15 +4,15 @@ import { panel } from "./panels.js";
 
 const kKeys = [
   ["Space", "play, or stop"], ["J  K  L", "play backwards, stop, play"], ["← →", "one step back, on; with Shift ten"],
-  ["Home End", "first, last step"], ["[  ]", "the input, difference, gap or break of a bound before, after"], ["d", "the first difference"],
+  ["Home End", "first, last step"], ["[  ]", "the input, difference, gap or break of a bound before, after"], ["d  D", "the first difference, the first state that differs"],
   ["/", "search"], ["n  N", "next run of steps found, the one before"], ["c  w  s  f  r", "contacts, ways, side by side, follow, whole scene"],
   ["Esc", "let the body go"], ["arrows, + −", "in the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"],
 ];
 
 function beside(page, way) {
-  const { inputs, gaps, first_difference } = page.marks();
+  const { inputs, gaps, first_difference, first_effect } = page.marks();
   const places = [...page.sessions[0].rows.breaks(), ...inputs.map(({ step }) => step), ...gaps.flatMap(([first, last]) => [first, last])];
-  if (first_difference !== null) places.push(first_difference);
+  places.push(...[first_difference, first_effect].filter((step) => step !== null));
   const { step } = page.player;
   const further = places.filter((one) => (way > 0 ? one > step : one < step)).sort((a, b) => way * (a - b));
   if (further.length > 0) page.player.seek(further[0]);
@@ -24,7 +24,7 @@ export function listen_keys(page) {
     l: () => page.player.play(1), ArrowLeft: (shift) => page.player.move(shift ? -10 : -1),
     ArrowRight: (shift) => page.player.move(shift ? 10 : 1), Home: () => page.player.seek(page.steps.first),
     End: () => page.player.seek(page.steps.last), "[": () => beside(page, -1), "]": () => beside(page, 1),
-    d: () => page.go_to_first_difference(), "/": () => page.search.focus(), n: () => page.next_hit(1), N: () => page.next_hit(-1),
+    d: () => page.go_to_first_difference(), D: () => page.go_to_first_effect(), "/": () => page.search.focus(), n: () => page.next_hit(1), N: () => page.next_hit(-1),
     Escape: () => page.select(null), ...page.toolbar.flip,
   };
   document.addEventListener("keydown", (event) => {

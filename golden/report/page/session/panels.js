@@ -196,7 +196,9 @@ export function show_difference(body, found, label, go, select) {
     parts.push(element("p", {}, element("strong", { textContent: verdict })));
     if (found.cause) parts.push(element("p", { textContent: `Cause: ${found.cause}` }));
     const effect = found.effect ?? first;
-    const what = element("p", {});
+    const later = effect.step !== first.step;
+    const what = element("p", { className: "effect" });
+    if (later || effect.phase !== first.phase) what.append("Effect: ", link(`step ${effect.step}`, () => go(effect.step)), `, phase ${effect.phase}, `);
     if (effect.body !== null) what.append(link(label(effect.body), () => select(effect.body)), ", ");
     what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
     // JSON numbers here are doubles: larger counts are not exact.
@@ -206,6 +208,11 @@ export function show_difference(body, found, label, go, select) {
     const jump = element("button", { type: "button", className: "jump", textContent: `Go to the first difference` });
     jump.addEventListener("click", () => go(first.step));
     parts.push(element("p", {}, jump));
+    if (later) {
+      const to_state = element("button", { type: "button", className: "jump", textContent: "Go to the first state that differs" });
+      to_state.addEventListener("click", () => go(effect.step));
+      parts.at(-1).append(" ", to_state);
+    }
     const marks = found.aftermath?.marks ?? [];
     if (marks.length > 0) {
       parts.push(element("ul", { className: "marks" }, ...marks.map(({ above, step, body: id }) => element("li", {},

@@ -87,7 +87,8 @@ export class SessionPage {
   marks() {
     const [{ rows }] = this.sessions;
     return { gaps: this.sessions.flatMap((session) => session.gaps()), inputs: rows.events, hits: this.hits,
-      first_difference: this.difference?.first?.step ?? null };
+      first_difference: this.difference?.first?.step ?? null,
+      first_effect: this.difference?.effect?.step ?? null };
   }
 
   set_lanes() {
@@ -184,7 +185,8 @@ export class SessionPage {
     if (frame && frame.status === 0) {
       const count = [0, 0, 0, 0];
       for (const mark of frame.mark) ++count[mark];
-      parts.push(`${count[1] + count[2] + count[3]} bodies, ${count[2]} asleep`);
+      const all = count[1] + count[2] + count[3];
+      parts.push(`${all} bod${all === 1 ? "y" : "ies"}, ${count[2]} asleep`);
       if (count[3] > 0) {
         const row = frame.mark.indexOf(3);
         parts.push(`${session.bodies.label(session.bodies.id(row))}${count[3] > 1 ? ` and ${count[3] - 1} more` : ""} lost: no numbers`);
@@ -238,6 +240,11 @@ export class SessionPage {
 
   go_to_first_difference() {
     const step = this.difference?.first?.step;
+    if (step !== undefined) this.player.seek(step);
+  }
+
+  go_to_first_effect() {
+    const step = this.difference?.effect?.step;
     if (step !== undefined) this.player.seek(step);
   }
 
