@@ -1,19 +1,28 @@
 #include "golden/hunt/other_build.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
-#include "golden/hunt/judge/same_bits.h"
+#include "golden/hunt/apart/log_pair.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "src/process/run_child.h"
-#include "tumble/sim/step.h"
 
 namespace tumble::hunt {
 namespace {
 
-using sim::length;
-
 constexpr double kPatience = 60;  // s that another build may take for one scene
+constexpr std::size_t kWordsMost = 300;
+
+// The last line that a program printed, to be added to a sentence; empty: it printed none.
+std::string last_words(const std::filesystem::path& file) {
+  const Result<std::string> text = golden::read_text(file);
+  if (!text.ok()) return "";
+  for (const std::vector<std::string> lines = golden::lines_of(*text); const std::string& line : std::views::reverse(lines))
+    if (!line.empty()) return ": " + in_quotes(line.substr(0, kWordsMost));
+  return "";
+}
 
 }  // namespace
 
@@ -23,13 +32,16 @@ Judgement OtherBuild::judge(const std::string& relation) {
   const auto bound = std::ranges::find(within_, relation, relation_of);
   if (bound == within_.end()) return *session_;
   if (session_->outcome != Outcome::kHeld) return not_applicable("no whole session to compare with: " + session_->what);
-  return judge_measure(*bound);
+  return pair_->judge(*bound);
 }
 
 // Records the scene with the other build, in a folder of its own, and reads each state.
 Judgement OtherBuild::judge_session() {
   Judgement recorded = record();
   if (recorded.outcome != Outcome::kHeld) return recorded;
+  Result<replay::LogReader> mine = log_of(trace_);
+  if (!mine.ok()) return not_applicable("this build's session cannot be recorded: " + mine.error().message);
+  mine_.emplace(*std::move(mine));
   return within_.empty() ? compare_bits() : read_records();
 }
 
@@ -45,40 +57,23 @@ Judgement OtherBuild::record() {
   child.out = child.err = said.string();
   const Result<process::ChildEnd> end = process::run_child(child, kPatience);
   if (end.ok() && end->late) process::end_own_group();
-  if (!end.ok()) return not_applicable("the other build does not start: " + end.error().message);
-  if (end->exit == 2) return not_applicable("the other build refuses the scene");
-  if (!end->well() && end->exit != 4) return broken(0, 0, "the other build " + end->text());
+  if (!end.ok()) return broken(0, 0, "the other build does not start: " + end.error().message);
+  const std::string words = last_words(said);
+  if (end->exit == 2) return broken(0, 0, "the other build refuses the scene, which this one records" + words);
+  if (end->late) return broken(0, 0, "the other build took longer than " + fixed(kPatience, 0) + " s");
+  if (!end->well() && end->exit != 4) return broken(0, 0, "the other build " + end->text() + words);
   Result<replay::LogReader> reader = replay::LogReader::open(log.string());
-  if (!reader.ok()) return broken(0, 0, "the other build's log: " + reader.error().message);
+  if (!reader.ok()) return broken(0, 0, "the other build's log: " + reader.error().message + words);
   log_.emplace(*std::move(reader));
   return held();
 }
 
-Judgement OtherBuild::compare_bits() {
-  const sim::Method method = trace_.scene.world.method;
-  const std::uint64_t steps = std::min<std::uint64_t>(log_->last_step(), trace_.steps.size());
-  for (std::uint64_t k = 1; k <= steps; ++k) {
-    const Result<const replay::StepRecord*> record = log_->read_step(k);
-    if (!record.ok()) return broken(k, 0, "the other build's log cannot be read: " + record.error().message);
-    const TracedStep& step = trace_.steps[k - 1];
-    const sim::Bodies& mine = trace_.after(k - 1).bodies;
-    if ((*record)->state_hash == state_hash(mine)) continue;
-    Judgement out = broken(k, 0, "the other build has another state");
-    const replay::BodyStates& other = (*record)->states;
-    for (sim::BodyIndex i = 0; i < std::min(mine.size(), other.id.size()); ++i) {
-      const sim::Vec3 x = other.position[i] - mine.position[i], v = other.velocity[i] - mine.velocity[i];
-      out.value = std::max(out.value, std::max(length(x), length(v)));
-      if (out.body == 0 && (length(x) > 0 || length(v) > 0)) out.body = mine.id[i];
-    }
-    out.phase = first_phase(method, step.words, (*record)->phase_words);
-    return out;
-  }
-  if (log_->last_step() == trace_.steps.size()) return held();
-  return broken(steps, 0, "the other build's session has another number of steps");
-}
+Judgement OtherBuild::compare_bits() { return compare_logs(*mine_, *log_); }
 
-// All states of the other session, beside those of the trace where any bit differs.
+// All states of the other session, beside those of the trace.
 Judgement OtherBuild::read_records() {
+  Judgement start = compare_starts(*mine_, *log_, Starts::kPlaced);
+  if (start.outcome != Outcome::kHeld) return start;
   const std::uint64_t steps = trace_.steps.size();
   if (log_->last_step() != steps) {
     return broken(std::min(log_->last_step(), steps), 0,
@@ -86,18 +81,14 @@ Judgement OtherBuild::read_records() {
                       std::to_string(steps));
   }
   std::vector<replay::StepRecord> other;
-  bool same_bits = true;
   for (std::uint64_t k = 0; k <= steps; ++k) {
     const Result<const replay::StepRecord*> record = log_->read_step(k);
     if (!record.ok()) return broken(k, 0, "the other build's log cannot be read: " + record.error().message);
     if (!(*record)->has_states) return broken(k, 0, "the other build's log holds no states of the step");
-    same_bits = same_bits && (*record)->state_hash == state_hash(trace_.states[k].bodies);
     other.push_back(**record);
   }
-  if (!same_bits) pair_.emplace(trace_, other);
+  pair_.emplace(trace_, other);
   return held();
 }
-
-Judgement OtherBuild::judge_measure(const ApartBound& bound) const { return pair_ ? pair_->judge(bound) : held(); }
 
 }  // namespace tumble::hunt

@@ -31,7 +31,6 @@ class OtherBuild {
   Judgement record();
   Judgement compare_bits();
   Judgement read_records();
-  [[nodiscard]] Judgement judge_measure(const ApartBound& bound) const;
 
   const std::string& program_;
   const std::vector<ApartBound>& within_;
@@ -39,9 +38,9 @@ class OtherBuild {
   const Trace& trace_;
   const TextScene& scene_;
   std::unique_ptr<golden::TemporaryFolder> folder_;  // goes after the log
-  std::optional<replay::LogReader> log_;
+  std::optional<replay::LogReader> mine_, log_;  // of this build and of the other
   std::optional<Judgement> session_;  // of kAgainst
-  std::optional<SessionPair> pair_;   // none: the sessions have the same bits
+  std::optional<SessionPair> pair_;   // with bounds, of whole sessions
 };
 
 }  // namespace tumble::hunt

@@ -103,9 +103,61 @@ TEST_F(HuntAgainst, RefusesWhatIsNoBound) {
   EXPECT_TRUE(tells(shop_.run({"hunt", "--relations"}).out, "overlap_peak=0.02+50% (m)"));
 }
 
+// A program that answers --version as a tumble does, and records by the commands.
+class HuntOtherProgram : public HuntAgainst {
+ protected:
+  [[nodiscard]] std::string recording(const std::string& commands) const {
+    shop_.write("other.sh", "#!/bin/sh\n[ \"$1\" = record ] || exec " TUMBLE_PROGRAM " \"$@\"\n" + commands + "\n");
+    std::filesystem::permissions(shop_.path("other.sh"), std::filesystem::perms::owner_all);
+    return shop_.path("other.sh");
+  }
+  // A build that takes each scene's file through a program of sed.
+  [[nodiscard]] std::string rewriting(const std::string& sed) const {
+    return recording("f=$2; sed -e '" + sed + "' \"$f\" >\"$f.other\"; shift 2; exec " TUMBLE_PROGRAM
+                     " record \"$f.other\" \"$@\"");
+  }
+};
+
+TEST_F(HuntOtherProgram, ThatRefusesAScene) {
+  const Outcome run = hunt(recording("echo 'some error' >&2; exit 2"), {"--unshrunk", "--json"});
+  EXPECT_EQ(run.exit, 1) << run.err << run.out;
+  EXPECT_EQ(Json::parse(run.out).at("relations").at("against").at("broken"), 10);
+  EXPECT_TRUE(tells(run.out, "refuses the scene, which this one records: \\\"some error\\\"")) << run.out;
+}
+
+TEST_F(HuntOtherProgram, ThatIsNoTumble) {
+  const Outcome run = hunt("/bin/ls", {});
+  EXPECT_EQ(run.exit, 2) << run.err << run.out;
+  EXPECT_TRUE(tells(run.err, "which answers --version with ")) << run.err;
+  EXPECT_TRUE(tells(run.err, "wanted another build of tumble")) << run.err;
+  shop_.write("plain", "text");
+  EXPECT_TRUE(tells(hunt(shop_.path("plain"), {}).err, "not executable"));
+  EXPECT_TRUE(tells(hunt(shop_.path("none"), {}).err, "where there is no file"));
+  EXPECT_TRUE(tells(hunt(shop_.path("."), {}).err, "a folder"));
+  const Outcome bare = hunt("plain", {});
+  EXPECT_TRUE(tells(bare.err, "looked for in PATH")) << bare.err;
+  EXPECT_TRUE(tells(bare.err, "is ./plain")) << bare.err;
+  shop_.write("other.sh", "#!/bin/sh\nkill -SEGV $$\n");
+  std::filesystem::permissions(shop_.path("other.sh"), std::filesystem::perms::owner_all);
+  EXPECT_TRUE(tells(hunt(shop_.path("other.sh"), {}).err, "crashed at --version: it was ended by SIGSEGV"));
+}
+
+TEST_F(HuntOtherProgram, ThatBeginsOtherwiseIsFoundAtTheStart) {
+  for (const char* within : {"bits", "bounds"}) {
+    const Outcome mass = hunt(rewriting("s/^mass = .*/mass = 5/"), {"--within", within, "--unshrunk"});
+    EXPECT_EQ(mass.exit, 1) << within << mass.out;
+    EXPECT_TRUE(tells(mass.out, ": step 0, phase start, body ")) << mass.out;
+    EXPECT_TRUE(tells(mass.out, " mass: ")) << mass.out;
+    const Outcome place = hunt(rewriting("s/^position.*/position = [0, 0, 6]/"), {"--within", within, "--unshrunk"});
+    EXPECT_EQ(place.exit, 1) << within << place.out;
+    EXPECT_TRUE(tells(place.out, "the start differs: body ")) << place.out;
+    EXPECT_FALSE(tells(place.out, "phase push")) << place.out;
+  }
+}
+
 // Another build that ends the process which judges.
 std::string deadly_build(const Workshop& shop) {
-  shop.write("deadly.sh", "#!/bin/sh\ncase $1 in record) kill -9 $PPID;; esac\n");
+  shop.write("deadly.sh", "#!/bin/sh\ncase $1 in record) kill -9 $PPID;; *) echo tumble 0;; esac\n");
   std::filesystem::permissions(shop.path("deadly.sh"), std::filesystem::perms::owner_all);
   return shop.path("deadly.sh");
 }

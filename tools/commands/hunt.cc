@@ -16,18 +16,17 @@
 #include "golden/hunt/judge/relation.h"
 #include "golden/hunt/merge_hunts.h"
 #include "src/process/interrupt.h"
-#include "src/process/run_child.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/shard.h"
 #include "tools/hunt/hunt_output.h"
+#include "tools/hunt/other_program.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
 
 namespace tumble::tools {
 namespace {
 
-constexpr double kStartPatience = 60;  // s
 constexpr std::uint64_t kNumberMax = 1'000'000'000'000;
 constexpr std::uint64_t kHuntsAtOnceMax = 256;
 
@@ -51,16 +50,6 @@ Result<Exit> print_scene(const HuntCommand& options) {
   return Exit::kSame;
 }
 
-// A program that never starts would leave every scene without a judgement.
-Status check_against(const std::string& program) {
-  process::Program child;
-  child.words = {program, "--version"};
-  child.out = child.err = "/dev/null";
-  const Result<process::ChildEnd> end = process::run_child(child, kStartPatience);
-  if (end.ok() && end->well()) return {};
-  return bad_input("--against: found " + in_quotes(program) + ", which does not answer --version, wanted a tumble");
-}
-
 constexpr std::uint64_t kEngineTries = 600;  // scenes that an engine runs to shrink one
 
 Result<hunt::HuntOptions> hunt_options(const HuntCommand& options) {
@@ -79,7 +68,7 @@ Result<hunt::HuntOptions> hunt_options(const HuntCommand& options) {
   out.seconds = options.time;
   out.question.only = options.relations;
   if (!options.against.empty()) {
-    if (Status ok = check_against(options.against); !ok.ok()) return ok.error();
+    if (Status ok = check_other_program(options.against); !ok.ok()) return ok.error();
   }
   out.question.against = options.against;
   Result<std::vector<hunt::ApartBound>> within = hunt::read_bounds(options.within);
