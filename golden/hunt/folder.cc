@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "golden/bundle/sealed_text.h"
+#include "golden/hunt/apart/apart_bounds.h"
 #include "golden/hunt/engine/kept_run.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
@@ -130,7 +131,15 @@ bool is_failure(const std::string& relation, const std::string& engine, const st
   return engine.empty() || relation == kSurvives || std::ranges::find(claimed, relation) != claimed.end();
 }
 
+bool no_measure_judged(const Tallies& relations) {
+  const auto is_measure = [](const auto& row) { return measure_of(row.first).has_value(); };
+  return std::ranges::any_of(relations, is_measure) && std::ranges::none_of(relations, [&](const auto& row) {
+           return is_measure(row) && row.second.held + row.second.broken > 0;
+         });
+}
+
 bool nothing_judged(const Tallies& relations, const std::string& engine, const std::vector<std::string>& claimed) {
+  if (no_measure_judged(relations)) return true;
   return std::ranges::none_of(relations, [&](const auto& row) {
     const auto& [name, tally] = row;
     const bool asked = claimed.empty() || std::ranges::find(claimed, name) != claimed.end();

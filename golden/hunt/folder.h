@@ -71,6 +71,9 @@ bool is_failure(const std::string& relation, const std::string& engine, const st
 /// nothing_judged() of tallies by relation.
 bool nothing_judged(const Tallies& relations, const std::string& engine, const std::vector<std::string>& claimed);
 
+/// Whether there are bounds of --within, and no scene could be judged by any.
+bool no_measure_judged(const Tallies& relations);
+
 /// Whether no session was judged by anything that is asked: no scene was there, the engine refused or failed all, or no
 /// relation could be asked. Of an engine with claims only these count.
 bool nothing_judged(const HuntState& state);

@@ -47,7 +47,20 @@ Status check_question(const Question& question) {
       names.emplace_back(file + (is_known ? ":" + place->second : "") + ": [engine.claims]", name);
     }
   }
+  if (!question.against.empty()) known.emplace_back(kAgainst);
+  std::vector<std::string> measures;
+  for (const ApartBound& bound : question.within) measures.push_back(relation_of(bound));
+  known.insert(known.end(), measures.begin(), measures.end());
   for (const auto& [where, name] : names) {
+    if (is_against(name) && question.against.empty()) {
+      return bad_input(where + ": found " + in_quotes(name) +
+                       " without --against, wanted --against PROGRAM, the build whose sessions are compared");
+    }
+    if (measure_of(name) && std::ranges::find(measures, name) == measures.end()) {
+      return bad_input(where + ": found " + in_quotes(name) + ", of which --within has no bound, wanted --within " +
+                       *measure_of(name) + "=AMOUNT or --within bounds besides");
+    }
+    if (is_against(name)) continue;
     if (question.engine && is_tumbles_own(name)) {
       return bad_input(where + ": found " + in_quotes(name) +
                        ", which compares parts of Tumble, wanted a relation or law of an engine; leave it out");
@@ -79,8 +92,12 @@ std::vector<std::string> names_of(const Question& question) {
     if (wanted(one.name)) names.emplace_back(one.name);
   }
   if (question.against.empty()) return names;
-  names.emplace_back(kAgainst);
-  for (const ApartBound& bound : question.within) names.push_back(relation_of(bound));
+  // All of them, unless some are chosen.
+  const bool chosen = std::ranges::any_of(question.only, is_against);
+  if (!chosen || wanted(kAgainst)) names.emplace_back(kAgainst);
+  for (const ApartBound& bound : question.within) {
+    if (!chosen || wanted(relation_of(bound))) names.push_back(relation_of(bound));
+  }
   return names;
 }
 

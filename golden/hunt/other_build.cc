@@ -19,7 +19,8 @@ constexpr std::size_t kWordsMost = 300;
 std::string last_words(const std::filesystem::path& file) {
   const Result<std::string> text = golden::read_text(file);
   if (!text.ok()) return "";
-  for (const std::vector<std::string> lines = golden::lines_of(*text); const std::string& line : std::views::reverse(lines))
+  for (const std::vector<std::string> lines = golden::lines_of(*text);
+       const std::string& line : std::views::reverse(lines))
     if (!line.empty()) return ": " + in_quotes(line.substr(0, kWordsMost));
   return "";
 }

@@ -81,6 +81,16 @@ TEST(HuntApart, AValueThatOneSessionGetsLaterIsComparedAtTheEnd) {
   EXPECT_LT(one.value, 1);
 }
 
+TEST(HuntApart, SaysAsManyDigitsAsDiffer) {
+  const Judgement one = judge_pair(sliding("0.3"), sliding("0.30001"), {"drift_max", 0, 0});
+  EXPECT_EQ(one.outcome, Outcome::kBroken);
+  EXPECT_NE(describe(one).find(": apart by "), std::string::npos) << describe(one);
+  EXPECT_NE(describe(one).find(" m, allowed 0"), std::string::npos) << describe(one);
+  const std::size_t is = one.what.find(" is ") + 4, here = one.what.find(" here and ");
+  const std::string mine = one.what.substr(is, here - is);
+  EXPECT_NE(one.what.substr(here + 10, mine.size()), mine) << one.what;
+}
+
 TEST(HuntApart, ABodyThatOneSessionLacksHasNoPlace) {
   const hunt::Trace here = traced(sliding("0.3").c_str());
   std::vector<replay::StepRecord> other = records_of(here);
@@ -108,6 +118,8 @@ TEST(HuntApart, ReadsBounds) {
     EXPECT_EQ(*read({to_text(bound)}), std::vector<ApartBound>{bound}) << to_text(bound);
     EXPECT_EQ(bound.amount == 2, bound.measure == "lost") << bound.measure;
   }
+  for (const char* word : {"final=0.0001%", "final=7%", "final=0.1+0.3%", "final=29%", "final=12.345%"})
+    EXPECT_EQ(to_text(read({word})->front()), word);
   for (const char* bad :
        {"gain_max", "gain_max=", "gain_max=-1", "gain_max=1x", "gain_max=1+2", "gain_max=nan", "bound"})
     EXPECT_FALSE(read({bad}).ok()) << bad;

@@ -185,10 +185,14 @@ Action declare_hunt(Arguments& arguments) {
   const Argument shard = arguments.option(
       "--shard", "K/N", options->shard,
       "Only the scenes whose number mod N is K - 1; auto: as the environment of the build system says");
-  const Argument relation = arguments.option("--relation", "NAME", options->relations,
-                                             "Judge by this relation or law alone; may be repeated; all if not given");
-  const Argument against = arguments.option("--against", "PROGRAM", options->against,
-                                            "Another build of tumble: every session must have the same bits there");
+  const Argument relation =
+      arguments.option("--relation", "NAME", options->relations,
+                       "Judge by this relation or law alone; may be repeated; all if not given. With --against "
+                       "also by against and the bounds of --within, unless against or an against_METRIC is "
+                       "named");
+  const Argument against =
+      arguments.option("--against", "PROGRAM", options->against,
+                       "Another build of tumble: every session must have the same bits there; it has 60 s a scene");
   const Argument within = arguments.option(
       "--within", "BOUND", options->within,
       "How far sessions of --against may be apart: bits (not at all, if not given), bounds (the usual "

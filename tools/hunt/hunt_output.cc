@@ -77,6 +77,7 @@ bool reached_an_end(const hunt::Tallies& relations) {
 }
 
 constexpr const char* kNoClaimJudged = "no scene could be judged by what the engine claims: ";
+constexpr const char* kNoMeasureJudged = "no scene has a value that a bound of --within could judge";
 constexpr const char* kNoEndReached = "the engine came to the end of no scene that it could be judged by; ";
 
 void print_claims_not_judged(const hunt::Tallies& relations, const std::vector<std::string>& claimed) {
@@ -98,6 +99,7 @@ std::string why_nothing(const hunt::HuntState& state, std::optional<std::uint64_
     return kNoEndReached + ("scene " + std::to_string(fails->number)) + ": " + describe(fails->judgement);
   }
   if (!state.claimed.empty()) return kNoClaimJudged + claims_not_judged(state.relations, state.claimed);
+  if (hunt::no_measure_judged(state.relations)) return kNoMeasureJudged;
   return "no relation or law could be asked of any scene";
 }
 
@@ -108,6 +110,7 @@ std::string why_nothing(const hunt::CorpusResult& result) {
   if (!result.engine.empty() && fails != result.broken.end() && !reached_an_end(result.relations))
     return kNoEndReached + fails->file + ": " + describe(fails->judgement);
   if (!result.claimed.empty()) return kNoClaimJudged + claims_not_judged(result.relations, result.claimed);
+  if (hunt::no_measure_judged(result.relations)) return kNoMeasureJudged;
   return "no relation or law could be asked of any of " + all;
 }
 

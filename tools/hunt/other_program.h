@@ -7,7 +7,8 @@
 namespace tumble::tools {
 
 /// Whether `hunt --against` can record with the program: it starts, and answers --version with "tumble …". Errors
-/// (kBadInput): what was found, as missing, a folder, no executable file, a crash, no answer in a minute, another program.
+/// (kBadInput): what was found, as missing, a folder, no executable file, a crash, no answer in a minute, another
+/// program.
 Status check_other_program(const std::string& program);
 
 }  // namespace tumble::tools

@@ -47,6 +47,17 @@ bool read_amounts(std::string_view text, ApartBound& bound) {
   return true;
 }
 
+// The percent that were given: of the numbers nearby that read as the part, the one with the fewest digits.
+std::string percent_text(double part) {
+  constexpr int kDigitsMost = 15;
+  const double percent = kHundred * part;
+  for (int digits = 1; digits <= kDigitsMost; ++digits) {
+    const auto rounded_percent = number_in(significant(percent, digits));
+    if (rounded_percent && *rounded_percent / kHundred == part) return number_text(*rounded_percent);
+  }
+  return number_text(percent);
+}
+
 Result<ApartBound> read_bound(const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) {
@@ -117,7 +128,7 @@ Result<std::vector<ApartBound>> read_bounds(const std::vector<std::string>& word
 std::string to_text(const ApartBound& bound) {
   std::string text = bound.measure + "=";
   if (bound.amount > 0 || !(bound.part > 0)) text += number_text(bound.amount);
-  if (bound.part > 0) text += (bound.amount > 0 ? "+" : "") + number_text(kHundred * bound.part) + "%";
+  if (bound.part > 0) text += (bound.amount > 0 ? "+" : "") + percent_text(bound.part) + "%";
   return text;
 }
 

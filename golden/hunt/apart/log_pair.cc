@@ -71,7 +71,8 @@ double distance_of(const replay::Divergence& one) {
 }
 
 Judgement parted_logs(const replay::Divergence& one, const replay::DiffReport& report) {
-  std::string what = one.field + " is " + replay::to_string(one.actual) + " there instead of " + replay::to_string(one.expected);
+  std::string what =
+      one.field + " is " + replay::to_string(one.actual) + " there instead of " + replay::to_string(one.expected);
   if (const replay::HeaderDifference* cause = replay::first_cause(report.headers); cause != nullptr)
     what += "; the headers differ too: " + here_and_there(*cause);
   if (one.step == 0) what.insert(0, "the start differs: ");
@@ -84,7 +85,8 @@ Judgement parted_logs(const replay::Divergence& one, const replay::DiffReport& r
 
 Result<replay::LogReader> log_of(const Trace& trace) {
   const auto file = std::make_shared<std::vector<std::byte>>();
-  auto recorder = replay::Recorder::start(std::make_unique<replay::MemoryByteSink>(file, "this build"), trace.scene, {});
+  auto recorder =
+      replay::Recorder::start(std::make_unique<replay::MemoryByteSink>(file, "this build"), trace.scene, {});
   if (!recorder.ok()) return recorder.error();
   if (const Status ok = (*recorder)->run(); !ok.ok()) return ok.error();
   if (const auto summary = (*recorder)->finish(); !summary.ok()) return summary.error();

@@ -53,13 +53,26 @@ struct Both {
   [[nodiscard]] double times(const ApartBound& bound) const { return apart() / std::max(allowed(bound), 1e-300); }
 };
 
-std::string value_text(const std::optional<double>& value, const ApartBound& bound) {
+constexpr int kDigitsUsual = 4, kDigitsAll = 17;
+
+std::string value_text(const std::optional<double>& value, const ApartBound& bound, int digits) {
   if (!value) return std::string("none (") + replay::find_metric(bound.measure)->nothing + ")";
-  return rounded(*value, unit_of(bound));
+  const std::string unit = unit_of(bound);
+  return significant(*value, digits) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string both_text(const Both& values, const ApartBound& bound) {
-  return value_text(values.mine, bound) + " here and " + value_text(values.other, bound) + " there";
+  // As many digits as tell them apart.
+  int digits = kDigitsUsual;
+  while (digits < kDigitsAll && values.mine && values.other && *values.mine != *values.other &&
+         significant(*values.mine, digits) == significant(*values.other, digits))
+    ++digits;
+  return value_text(values.mine, bound, digits) + " here and " + value_text(values.other, bound, digits) + " there";
+}
+
+// describe() says a distance beside a bound; without a bound it is said here.
+std::string beside_no_bound(double apart, double allowed, const std::string& unit) {
+  return allowed > 0 ? "" : ": apart by " + rounded(apart, unit) + ", allowed 0";
 }
 
 }  // namespace
@@ -118,6 +131,7 @@ Judgement SessionPair::judge_place(const ApartBound& bound) const {
                      " from that there; farthest after step " + std::to_string(worst - places_.begin()) + ", body " +
                      std::to_string(worst->body);
   if (!std::isfinite(worst->distance)) return broken(step, first->body, what + ", which has no place in one session");
+  what += beside_no_bound(worst->distance, allowed, "m");
   return broken(step, first->body, std::move(what), worst->distance, allowed, "m");
 }
 
@@ -147,6 +161,7 @@ Judgement SessionPair::judge_metric(const ApartBound& bound) const {
     what += ", farthest apart after step " + std::to_string(worst + 1) + ": " + both_text(both(worst), bound);
   const sim::BodyId body = places_[first + 1].body;
   if (!has_both) return broken(first + 1, body, std::move(what));
+  what += beside_no_bound(both(worst).apart(), both(worst).allowed(bound), row.unit);
   return broken(first + 1, body, std::move(what), both(worst).apart(), both(worst).allowed(bound), row.unit);
 }
 
