@@ -1,7 +1,6 @@
 #include "golden/hunt/other_build.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "golden/hunt/apart/log_pair.h"
@@ -19,10 +18,11 @@ constexpr std::size_t kWordsMost = 300;
 std::string last_words(const std::filesystem::path& file) {
   const Result<std::string> text = golden::read_text(file);
   if (!text.ok()) return "";
-  for (const std::vector<std::string> lines = golden::lines_of(*text);
-       const std::string& line : std::views::reverse(lines))
-    if (!line.empty()) return ": " + in_quotes(line.substr(0, kWordsMost));
-  return "";
+  std::string last;
+  for (const std::string& line : golden::lines_of(*text)) {
+    if (!line.empty()) last = line;
+  }
+  return last.empty() ? "" : ": " + in_quotes(last.substr(0, kWordsMost));
 }
 
 }  // namespace
