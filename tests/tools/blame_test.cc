@@ -55,6 +55,17 @@ TEST(BlameCommand, GoesAsFarInADamagedLogAsInTheRecoveredOne) {
   EXPECT_EQ(parsed(damaged)["answers"], parsed(recovered)["answers"]);
 }
 
+// What kept a value as it is looks like no change.
+TEST(BlameCommand, SaysThatAValueStayedAsItWas) {
+  const Workshop shop;
+  ASSERT_EQ(shop.run({"record", "brick_wall", "--steps", "10", "-o", "wall.tumble", "--quiet"}).exit, 0);
+  const Outcome shown =
+      shop.run({"blame", "wall.tumble", "--body", "1", "--field", "velocity.x", "--step", "10", "--back", "6"});
+  ASSERT_EQ(shown.exit, 0) << shown.err;
+  EXPECT_NE(shown.out.find("frozen 1, unchanged"), std::string::npos) << shown.out;
+  EXPECT_EQ(shown.out.find("1 -> 1"), std::string::npos) << shown.out;
+}
+
 TEST(BlameCommand, RefusesWithAReason) {
   const Workshop shop;
   shop.record_small("s");

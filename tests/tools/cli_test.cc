@@ -51,6 +51,19 @@ TEST(Program, RecordsAndReplaysToTheBit) {
   }
 }
 
+TEST(Program, RecordNamesNoBytesOfMotionWhereNothingMuchMoves) {
+  const Workshop shop;
+  shop.write("still.toml",
+             "[world]\nmethod = \"layered\"\ndt = 0.01\nsteps = 4000\n"
+             "[[box]]\nid = 1\nsize = [1, 1, 1]\nmass = 1.0\nposition = [0.0, 0.0, 0.5]\n");
+  const Outcome recorded = shop.run({"record", "still.toml"});
+  ASSERT_EQ(recorded.exit, 0) << recorded.err;
+  EXPECT_EQ(recorded.out.find("per moving body-step"), std::string::npos) << recorded.out;
+  const ordered_json json = parsed(shop.run({"record", "still.toml", "--json"}));
+  EXPECT_GT(json["moving_body_steps"], 0) << "some steps moved, else there is no figure to leave out";
+  EXPECT_FALSE(json["bytes_per_moving_body_step"].is_null());
+}
+
 TEST(Program, ASessionInRealTimeReplaysToTheBit) {
   const Workshop shop;
   shop.write("s.toml", kSmallScene);

@@ -105,6 +105,11 @@ std::optional<double> bytes_each(const Recorded& session) {
   return static_cast<double>(session.log.bytes) / static_cast<double>(session.moving_body_steps);
 }
 
+// Where hardly anything moves, the log's fixed parts would pass for the cost of motion.
+bool moves_enough(const Recorded& session) {
+  return session.moving_body_steps * 20 >= session.bodies * session.log.steps;
+}
+
 // Whether the session followed the clock. Frames can be computed in time and yet begin late, on a busy machine.
 std::string clock_text(const replay::Frames& frames) {
   if (frames.bounded == 0) return "followed: each step is as long as the time since the step before";
@@ -128,7 +133,8 @@ void print_text(const std::string& path, const sim::SceneDef& scene, const Recor
   }
   listing.add("log", path);
   std::string size = bytes_text(session.log.bytes);
-  if (const auto each = bytes_each(session)) size += ", " + rounded(*each, "bytes per moving body-step");
+  if (const auto each = bytes_each(session); each && moves_enough(session))
+    size += ", " + rounded(*each, "bytes per moving body-step");
   listing.add("size", size);
   listing.add("final hash", to_string(session.log.final_hash));
   listing.print();

@@ -30,8 +30,11 @@ std::string place_text(const replay::BlameAnswer& answer) {
 
 std::string change_text(const replay::BlameAnswer& answer) {
   std::string text = answer.value + ' ';
+  const std::string after = value_text(answer.after, answer.unit);
+  // What kept a value as it is: a body at rest that nothing woke.
+  if (answer.before && value_text(*answer.before, answer.unit) == after) return text + after + ", unchanged";
   if (answer.before) text += value_text(*answer.before, "") + " -> ";
-  return text + value_text(answer.after, answer.unit);
+  return text + after;
 }
 
 Json vector_json(const sim::Vec3& v) { return {number_json(v.x()), number_json(v.y()), number_json(v.z())}; }
