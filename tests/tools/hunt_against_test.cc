@@ -131,6 +131,8 @@ TEST_F(HuntAgainst, RefusesWhatIsNoBound) {
   EXPECT_EQ(alone.exit, 2);
   EXPECT_TRUE(tells(alone.err, "found no --against")) << alone.err;
   EXPECT_EQ(shop_.run({"hunt", "--count", "1", "--engine", "--within", "bounds"}).exit, 2);
+  EXPECT_EQ(shop_.run({"hunt", "--relations", "--against", TUMBLE_PROGRAM}).exit, 2);
+  EXPECT_EQ(shop_.run({"hunt", "--print", "1", "--against", TUMBLE_PROGRAM}).exit, 2);
   EXPECT_TRUE(tells(shop_.run({"hunt", "--relations"}).out, "overlap_peak=0.02+50% (m)"));
 }
 

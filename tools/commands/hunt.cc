@@ -215,7 +215,12 @@ Action declare_hunt(Arguments& arguments) {
                   "Scenes judged at once, one for each processor if not given; what is found does not depend on it");
   const Argument print =
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
-  arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
+  const Argument list = arguments.flag("--relations", options->list, "List the relations and laws and end");
+  list.excludes(print);
+  for (const Argument& other : {against, within}) {
+    list.excludes(other);
+    print.excludes(other);
+  }
   const Argument unshrunk =
       arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
   const Argument shrink = arguments.whole("--shrink", "N", options->shrink, 1, kNumberMax,
