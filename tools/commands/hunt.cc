@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -173,6 +174,10 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   return exit;
 }
 
+void exclude_all(const Argument& argument, std::initializer_list<Argument> others) {
+  for (const Argument& other : others) argument.excludes(other);
+}
+
 }  // namespace
 
 Action declare_hunt(Arguments& arguments) {
@@ -217,20 +222,16 @@ Action declare_hunt(Arguments& arguments) {
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
   const Argument list = arguments.flag("--relations", options->list, "List the relations and laws and end");
   list.excludes(print);
-  for (const Argument& other : {against, within}) {
-    list.excludes(other);
-    print.excludes(other);
-  }
+  exclude_all(list, {against, within});
+  exclude_all(print, {against, within});
   const Argument unshrunk =
       arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
   const Argument shrink = arguments.whole("--shrink", "N", options->shrink, 1, kNumberMax,
                                           "Shrink so many findings of each relation and phase; 3 if not given");
   shrink.excludes(unshrunk);
   // What would be left aside without a word.
-  for (const Argument& other : {seed, count, time, shard, folder, corpus, merge, print, unshrunk, shrink})
-    judge.excludes(other);
-  for (const Argument& other : {seed, count, time, shard, relation, against, within, engine, print, unshrunk, shrink})
-    merge.excludes(other);
+  exclude_all(judge, {seed, count, time, shard, folder, corpus, merge, print, unshrunk, shrink});
+  exclude_all(merge, {seed, count, time, shard, relation, against, within, engine, print, unshrunk, shrink});
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 no scene broke a relation, of an engine none that it claims; 1 findings; 2 bad usage, a folder\n"
