@@ -35,11 +35,6 @@ struct Vec3Column {
     y[i] = v.y();
     z[i] = v.z();
   }
-  void add(std::size_t i, const Vec3& v) {
-    x[i] += v.x();
-    y[i] += v.y();
-    z[i] += v.z();
-  }
   void push_back(const Vec3& v) {
     x.push_back(v.x());
     y.push_back(v.y());
