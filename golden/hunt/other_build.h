@@ -38,9 +38,9 @@ class OtherBuild {
   const Trace& trace_;
   const TextScene& scene_;
   std::unique_ptr<golden::TemporaryFolder> folder_;  // goes after the log
-  std::optional<replay::LogReader> mine_, log_;  // of this build and of the other
-  std::optional<Judgement> session_;  // of kAgainst
-  std::optional<SessionPair> pair_;   // with bounds, of whole sessions
+  std::optional<replay::LogReader> mine_, log_;      // of this build and of the other
+  std::optional<Judgement> session_;                 // of kAgainst
+  std::optional<SessionPair> pair_;                  // with bounds, of whole sessions
 };
 
 }  // namespace tumble::hunt
