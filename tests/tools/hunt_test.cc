@@ -159,7 +159,7 @@ TEST(Hunt, AnotherBuildThatDoesNotStartJudgesNothing) {
   const Workshop shop;
   const Outcome run = shop.run({"hunt", "--count", "3", "--against", "/nosuch"});
   EXPECT_EQ(run.exit, 2) << run.out;
-  EXPECT_TRUE(says(run.err, "which does not answer --version")) << run.err;
+  EXPECT_TRUE(says(run.err, "where there is no file")) << run.err;
 }
 
 TEST(Hunt, CountsAndFindingsOfAFolderAgree) {
