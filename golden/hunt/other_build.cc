@@ -36,16 +36,13 @@ Judgement OtherBuild::judge(const std::string& relation) {
   return pair_->judge(*bound);
 }
 
-// Records the scene with the other build, in a folder of its own, and reads each state.
 Judgement OtherBuild::judge_session() {
   Judgement recorded = record();
   if (recorded.outcome != Outcome::kHeld) return recorded;
-  Result<replay::LogReader> mine = log_of(trace_);
-  if (!mine.ok()) return not_applicable("this build's session cannot be recorded: " + mine.error().message);
-  mine_.emplace(*std::move(mine));
-  return within_.empty() ? compare_bits() : read_records();
+  return within_.empty() ? compare_bits(trace_, *log_) : read_records();
 }
 
+// Records the scene with the other build, in a folder of its own.
 Judgement OtherBuild::record() {
   folder_ = std::make_unique<golden::TemporaryFolder>("scene", scratch_);
   const std::filesystem::path& place = folder_->path();
@@ -69,22 +66,15 @@ Judgement OtherBuild::record() {
   return held();
 }
 
-Judgement OtherBuild::compare_bits() { return compare_logs(*mine_, *log_); }
-
 // All states of the other session, beside those of the trace.
 Judgement OtherBuild::read_records() {
-  Judgement start = compare_starts(*mine_, *log_, Starts::kPlaced);
+  Judgement start = compare_starts(trace_, *log_, Starts::kPlaced);
   if (start.outcome != Outcome::kHeld) return start;
-  const std::uint64_t steps = trace_.steps.size();
-  if (log_->last_step() != steps) {
-    return broken(std::min(log_->last_step(), steps), 0,
-                  "the other build's session ends with step " + std::to_string(log_->last_step()) + ", this one with " +
-                      std::to_string(steps));
-  }
+  if (Judgement lengths = compare_lengths(trace_, *log_); lengths.outcome != Outcome::kHeld) return lengths;
   std::vector<replay::StepRecord> other;
-  for (std::uint64_t k = 0; k <= steps; ++k) {
+  for (std::uint64_t k = 0; k <= trace_.steps.size(); ++k) {
     const Result<const replay::StepRecord*> record = log_->read_step(k);
-    if (!record.ok()) return broken(k, 0, "the other build's log cannot be read: " + record.error().message);
+    if (!record.ok()) return log_unread(k, record.error());
     if (!(*record)->has_states) return broken(k, 0, "the other build's log holds no states of the step");
     other.push_back(**record);
   }

@@ -22,14 +22,13 @@ class OtherBuild {
              const Trace& trace, const TextScene& scene)
       : program_(program), within_(within), scratch_(scratch), trace_(trace), scene_(scene) {}
 
-  /// kAgainst: every state has the same bits, or with bounds: the other build takes the scene to its last step too.
-  /// relation_of() a bound: its measure is within it; not applicable where there is no whole session.
+  /// kAgainst: compare_bits(), or with bounds: the same start, and the other build takes the scene to its last step
+  /// too. relation_of() a bound: its measure is within it; not applicable where there is no whole session.
   Judgement judge(const std::string& relation);
 
  private:
   Judgement judge_session();
   Judgement record();
-  Judgement compare_bits();
   Judgement read_records();
 
   const std::string& program_;
@@ -38,7 +37,7 @@ class OtherBuild {
   const Trace& trace_;
   const TextScene& scene_;
   std::unique_ptr<golden::TemporaryFolder> folder_;  // goes after the log
-  std::optional<replay::LogReader> mine_, log_;      // of this build and of the other
+  std::optional<replay::LogReader> log_;             // of the other build
   std::optional<Judgement> session_;                 // of kAgainst
   std::optional<SessionPair> pair_;                  // with bounds, of whole sessions
 };

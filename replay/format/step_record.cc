@@ -123,4 +123,21 @@ LogHeader header_for(const sim::SceneDef& scene) {
   return header;
 }
 
+TableSettings precision_settings(const LogHeader& header) {
+  if (!header.engine || header.engine->precision_bits != kBinary32Bits) return {};
+  return {{"precision", "float32"}, {"cells", "float64"}};  // the log keeps doubles
+}
+
+std::string derived_columns(const Declared& declared) {
+  std::string names = declared.velocity_derived ? "velocity" : "";
+  if (declared.spin_derived) names += names.empty() ? "spin" : " spin";
+  return names;
+}
+
+std::string setting_lines(const TableSettings& settings) {
+  std::string lines;
+  for (const auto& [key, value] : settings) lines.append("# ").append(key).append(": ").append(value).append("\n");
+  return lines;
+}
+
 }  // namespace tumble::replay

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tumble/replay/body_states.h"
@@ -129,6 +130,16 @@ struct LogHeader {
   [[nodiscard]] EngineAxes axes() const { return table ? table->axes : EngineAxes{}; }  ///< of the session's source
   [[nodiscard]] const std::vector<MissingSteps>& missing() const;  ///< steps that the log lacks between others
 };
+
+/// Lines "# key: value" before a table, by which `import` reads what its columns do not show.
+using TableSettings = std::vector<std::pair<std::string, std::string>>;
+std::string setting_lines(const TableSettings& settings);
+
+/// How many bits an engine's numbers have; none for ours and for doubles.
+TableSettings precision_settings(const LogHeader& header);
+
+/// The columns that were derived, "velocity spin"; empty: none.
+std::string derived_columns(const Declared& declared);
 
 /// The header of a session that this build records, without scene text and overrides.
 LogHeader header_for(const sim::SceneDef& scene);

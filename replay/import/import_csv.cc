@@ -5,6 +5,7 @@
 
 #include "replay/import/csv_steps.h"
 #include "replay/import/table_notes.h"
+#include "replay/log/log_facts.h"
 #include "src/base/text.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/sim/limits.h"
@@ -132,17 +133,15 @@ Status write_step(EngineLog& log, const CsvSteps& reader, TableStep& step) {
 
 Result<SessionLike> session_like(LogReader& log) {
   SessionLike like{log.header().scene, log.header().scene.boxes};
-  std::optional<double> dt;
   for (std::uint64_t k = log.first_state() + 1; k <= log.last_step(); ++k) {
     const Result<const StepRecord*> step = log.read_hashes(k);
     if (!step.ok()) return step.error();
-    like.dt_varies = like.dt_varies || (dt && *dt != (*step)->dt);
-    dt = (*step)->dt;
     for (const sim::Command& input : (*step)->inputs) {
       if (const auto* thrown = std::get_if<sim::Throw>(&input)) like.boxes.push_back(thrown->box);
     }
   }
   std::ranges::sort(like.boxes, {}, &sim::BoxDef::id);
+  like.dt_varies = dt_varies(log);
   return like;
 }
 

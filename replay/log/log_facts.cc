@@ -79,6 +79,19 @@ std::optional<double> LogFacts::bytes_per_moving_body_step(std::uint64_t file_by
 
 LogFacts collect_facts(LogReader& log, const Progress& progress) { return FactCounter(log).run(progress); }
 
+bool dt_varies(LogReader& log) {
+  std::optional<double> first;
+  for (const ChunkPlace& place : log.chunks()) {
+    for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) {
+      const Result<const StepRecord*> record = log.read_hashes(k);
+      if (!record.ok()) break;  // the rest of the chunk cannot be read either
+      if (first && (*record)->dt != *first) return true;
+      first = (*record)->dt;
+    }
+  }
+  return false;
+}
+
 void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts) {
   const auto begins_with = [](const LogReader& log, sim::BodyId id) {
     return std::ranges::binary_search(log.header().declared.bodies, id, {}, &BodyInfo::id);

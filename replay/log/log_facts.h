@@ -33,6 +33,9 @@ struct LogFacts {
 /// Reads a log from end to end and leaves out the steps that cannot be read; verify() names the damage.
 LogFacts collect_facts(LogReader& log, const Progress& progress = {});
 
+/// Whether the readable steps of a log differ in length. Reads no more of it than it needs to say so.
+bool dt_varies(LogReader& log);
+
 /// Adds "its shape of body 7" for each body that appears after the start of both logs and is no box in the one, and of
 /// another shape in the other. Reads both logs for them. Bodies that one log alone has are a difference of states.
 void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts);

@@ -134,6 +134,7 @@ TEST_F(HuntAgainst, RefusesWhatIsNoBound) {
   EXPECT_EQ(shop_.run({"hunt", "--relations", "--against", TUMBLE_PROGRAM}).exit, 2);
   EXPECT_EQ(shop_.run({"hunt", "--print", "1", "--against", TUMBLE_PROGRAM}).exit, 2);
   EXPECT_TRUE(tells(shop_.run({"hunt", "--relations"}).out, "overlap_peak=0.02+50% (m)"));
+  EXPECT_TRUE(tells(shop_.run({"hunt", "--relations", "--json"}).out, "\"against\""));
 }
 
 // A program that answers --version as a tumble does, and records by the commands.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "replay/arrays/pair_cell.h"
+#include "replay/log/log_facts.h"
 #include "replay/measure/measure_options.h"
 #include "replay/session/state_source.h"
 #include "src/base/schema_name.h"
@@ -203,7 +204,8 @@ class TextOutput : public Output {
 std::unique_ptr<Output> make_output(const DumpCommand& options, replay::LogReader& log) {
   Told told = {log.header().axes(), log.header().declared, log.bodies()};
   if (options.csv) {  // one state leads to no step
-    return std::make_unique<CsvOutput>(std::move(told), table_head(log.header()), !options.step && dt_varies(log));
+    const bool with_dt = !options.step && replay::dt_varies(log);
+    return std::make_unique<CsvOutput>(std::move(told), table_head(log.header()), with_dt);
   }
   if (options.json) return std::make_unique<JsonOutput>(!options.step, std::move(told));
   return std::make_unique<TextOutput>(std::move(told));

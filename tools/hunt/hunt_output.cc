@@ -6,7 +6,6 @@
 
 #include "golden/hunt/apart/apart_bounds.h"
 #include "golden/hunt/judge/relation.h"
-#include "golden/hunt/judge_scene.h"
 
 namespace tumble::tools {
 namespace {
@@ -178,6 +177,9 @@ void print_corpus(const hunt::CorpusResult& result) {
 
 namespace {
 
+constexpr const char* kClaimOfAgainst =
+    "--against PROGRAM computes the same bits; with --within: takes the scene to its end too";
+
 std::string claim_of(const hunt::ApartBound& bound) {
   const std::string unit = unit_of(bound);
   std::string text =
@@ -190,8 +192,7 @@ std::string claim_of(const hunt::ApartBound& bound) {
 void print_relations() {
   Table table({"NAME", "CLAIM"});
   for (const hunt::Relation& one : hunt::relations()) table.add({one.name, one.claim});
-  table.add(
-      {hunt::kAgainst, "--against PROGRAM computes the same bits; with --within: takes the scene to its end too"});
+  table.add({hunt::kAgainst, kClaimOfAgainst});
   for (const hunt::ApartBound& bound : hunt::usual_bounds()) table.add({relation_of(bound), claim_of(bound)});
   table.print();
 }
@@ -201,6 +202,7 @@ Json relations_json() {
   for (const hunt::Relation& one : hunt::relations()) {
     json.push_back({{"name", one.name}, {"claim", one.claim}, {"kind", one.is_law ? "law" : "relation"}});
   }
+  json.push_back({{"name", hunt::kAgainst}, {"claim", kClaimOfAgainst}, {"kind", "relation"}});
   for (const hunt::ApartBound& bound : hunt::usual_bounds())
     json.push_back({{"name", relation_of(bound)}, {"claim", claim_of(bound)}, {"kind", "bound"}});
   return json;

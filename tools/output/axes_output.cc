@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "src/base/text.h"
 
@@ -19,39 +19,19 @@ Json axes_json(const replay::EngineAxes& axes) {
 }
 
 std::string table_head(const replay::LogHeader& header) {
-  std::string head;
-  const auto add = [&head](const char* key, const std::string& value) {
-    head.append("# ").append(key).append(": ").append(value).append("\n");
-  };
+  replay::TableSettings settings;
   const replay::EngineAxes axes = header.axes(), ours;
-  if (axes.up != ours.up) add("up", std::string(1, static_cast<char>('x' + axes.up)));
-  if (axes.left_handed) add("handed", "left");
+  if (axes.up != ours.up) settings.emplace_back("up", std::string(1, static_cast<char>('x' + axes.up)));
+  if (axes.left_handed) settings.emplace_back("handed", "left");
   if (axes.metres != ours.metres) {
     const std::array<std::string_view, 2> words = {"cm", "mm"};
     const bool has_word = std::ranges::find(words, axes.unit()) != words.end();
-    add("length", has_word ? axes.unit() : exact(axes.metres));
+    settings.emplace_back("length", has_word ? axes.unit() : exact(axes.metres));
   }
-  if (header.engine && header.engine->precision_bits == replay::kBinary32Bits) {
-    add("precision", "float32");
-    add("cells", "float64");  // the log keeps doubles
-  }
-  std::string derived = header.declared.velocity_derived ? "velocity" : "";
-  if (header.declared.spin_derived) derived += derived.empty() ? "spin" : " spin";
-  if (!derived.empty()) add("derived", derived);
-  return head;
-}
-
-bool dt_varies(replay::LogReader& log) {
-  std::optional<double> first;
-  for (const replay::ChunkPlace& place : log.chunks()) {
-    for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) {
-      const Result<const replay::StepRecord*> record = log.read_hashes(k);
-      if (!record.ok()) break;  // the rest of the chunk cannot be read either
-      if (first && (*record)->dt != *first) return true;
-      first = (*record)->dt;
-    }
-  }
-  return false;
+  for (const auto& [key, value] : replay::precision_settings(header)) settings.emplace_back(key, value);
+  if (std::string derived = replay::derived_columns(header.declared); !derived.empty())
+    settings.emplace_back("derived", std::move(derived));
+  return replay::setting_lines(settings);
 }
 
 }  // namespace tumble::tools

@@ -4,7 +4,7 @@
 
 #include "tools/output/text.h"
 #include "tumble/replay/imported_table.h"
-#include "tumble/replay/log_reader.h"
+#include "tumble/replay/step_record.h"
 
 namespace tumble::tools {
 
@@ -14,8 +14,5 @@ Json axes_json(const replay::EngineAxes& axes);
 /// The lines "# key: value" by which `import` reads a table of dump --csv as the log has it: axes, unit of length and
 /// precision of another engine, and the columns that it derived. Each only where it is not what `import` takes anyway.
 std::string table_head(const replay::LogHeader& header);
-
-/// Whether the readable steps of a log differ in length.
-bool dt_varies(replay::LogReader& log);
 
 }  // namespace tumble::tools

@@ -18,10 +18,6 @@ namespace {
 constexpr const char* kStartPhase = "start";
 constexpr double kSamePlace = 1e-6;  // m: state 0 is rounded to a grid, which a build may choose otherwise
 
-Judgement log_unread(std::uint64_t step, const Error& error) {
-  return broken(step, 0, "the other build's log cannot be read: " + error.message);
-}
-
 Judgement other_start(sim::BodyId body, const std::string& what) {
   Judgement out = broken(0, body, "the start differs: " + what);
   out.phase = kStartPhase;
@@ -81,8 +77,7 @@ Judgement parted_logs(const replay::Divergence& one, const replay::DiffReport& r
   return out;
 }
 
-}  // namespace
-
+// This build's log of the session, in memory.
 Result<replay::LogReader> log_of(const Trace& trace) {
   const auto file = std::make_shared<std::vector<std::byte>>();
   auto recorder =
@@ -93,8 +88,14 @@ Result<replay::LogReader> log_of(const Trace& trace) {
   return replay::LogReader::open(std::make_unique<replay::MemoryByteSource>(file, "this build"));
 }
 
-Judgement compare_starts(replay::LogReader& mine, replay::LogReader& other, Starts how) {
-  const sim::SceneDef& here = mine.header().scene;
+}  // namespace
+
+Judgement log_unread(std::uint64_t step, const Error& error) {
+  return broken(step, 0, "the other build's log cannot be read: " + error.message);
+}
+
+Judgement compare_starts(const Trace& mine, replay::LogReader& other, Starts how) {
+  const sim::SceneDef& here = mine.scene;
   sim::SceneDef there = other.header().scene;
   // Settings of the world and inputs are no bodies.
   there.world = here.world;
@@ -108,27 +109,30 @@ Judgement compare_starts(replay::LogReader& mine, replay::LogReader& other, Star
   const std::vector<replay::HeaderDifference> differences = replay::scene_differences(here, there);
   if (const replay::HeaderDifference* cause = replay::first_cause(differences); cause != nullptr)
     return other_start(first_other_body(here, there), here_and_there(*cause));
-  const Result<const replay::Keyframe*> first = mine.keyframe_at_or_before(0);
-  if (!first.ok()) return not_applicable("this build's log cannot be read: " + first.error().message);
-  const Result<const replay::Keyframe*> first_there = other.keyframe_at_or_before(0);
-  if (!first_there.ok()) return log_unread(0, first_there.error());
-  return compare_first_states((*first)->state.bodies, (*first_there)->state.bodies);
+  const Result<const replay::Keyframe*> first = other.keyframe_at_or_before(0);
+  if (!first.ok()) return log_unread(0, first.error());
+  return compare_first_states(mine.states.front().bodies, (*first)->state.bodies);
 }
 
-Judgement compare_logs(replay::LogReader& mine, replay::LogReader& other) {
+Judgement compare_lengths(const Trace& mine, const replay::LogReader& other) {
+  const std::uint64_t last = mine.steps.size(), last_there = other.last_step();
+  if (last == last_there) return held();
+  return broken(std::min(last, last_there), 0,
+                "the other build's session has another number of steps: it ends with step " +
+                    std::to_string(last_there) + ", this one with " + std::to_string(last));
+}
+
+Judgement compare_bits(const Trace& mine, replay::LogReader& other) {
   Judgement start = compare_starts(mine, other, Starts::kEveryBit);
   if (start.outcome != Outcome::kHeld) return start;
-  const Result<replay::DiffReport> report = replay::diff_logs(mine, other);
+  Result<replay::LogReader> log = log_of(mine);
+  if (!log.ok()) return not_applicable("this build's session cannot be recorded: " + log.error().message);
+  const Result<replay::DiffReport> report = replay::diff_logs(*log, other);
   if (!report.ok()) return log_unread(0, report.error());
   if (report->first) return parted_logs(*report->first, *report);
   if (report->built) return parted_logs(*report->built, *report);
-  const std::uint64_t last = mine.last_step(), last_there = other.last_step();
-  if (last != last_there) {
-    return broken(std::min(last, last_there), 0,
-                  "the other build's session has another number of steps: it ends with step " +
-                      std::to_string(last_there) + ", this one with " + std::to_string(last));
-  }
-  const auto differences = replay::scene_differences(mine.header().scene, other.header().scene);
+  if (Judgement lengths = compare_lengths(mine, other); lengths.outcome != Outcome::kHeld) return lengths;
+  const auto differences = replay::scene_differences(log->header().scene, other.header().scene);
   if (const replay::HeaderDifference* cause = replay::first_cause(differences); cause != nullptr)
     return broken(0, 0, "the header differs: " + here_and_there(*cause));
   return held();

@@ -3,11 +3,8 @@
 #include "golden/hunt/judge/relation.h"
 #include "tumble/replay/log_reader.h"
 
-/// Two builds' logs of one scene: `mine` of this build, `other` of the other.
+/// The session of a scene by this build, and the log of it by another build.
 namespace tumble::hunt {
-
-/// This build's log of the trace's session, in memory. Errors: it cannot be recorded or read back.
-Result<replay::LogReader> log_of(const Trace& trace);
 
 /// How two starts are compared.
 enum class Starts : std::uint8_t {
@@ -16,10 +13,17 @@ enum class Starts : std::uint8_t {
 };
 
 /// Broken: the bodies at the start differ, in the headers or in state 0. It is of step 0 and phase "start".
-Judgement compare_starts(replay::LogReader& mine, replay::LogReader& other, Starts how);
+Judgement compare_starts(const Trace& mine, replay::LogReader& other, Starts how);
+
+/// Broken: the sessions have another number of steps.
+Judgement compare_lengths(const Trace& mine, const replay::LogReader& other);
+
+/// The error of a log of another build, as a judgement.
+Judgement log_unread(std::uint64_t step, const Error& error);
 
 /// Broken: any bit differs that `tumble diff` compares: the start, inputs, phase hashes, states, counters, hidden
-/// state, the number of steps, or a value of the header that a step depends on.
-Judgement compare_logs(replay::LogReader& mine, replay::LogReader& other);
+/// state, the number of steps, or a value of the header that a step depends on. Records the session once more, in
+/// memory. Not applicable: this build cannot record it.
+Judgement compare_bits(const Trace& mine, replay::LogReader& other);
 
 }  // namespace tumble::hunt

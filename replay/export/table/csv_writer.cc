@@ -75,9 +75,7 @@ class CsvWriter : public ExportWriter {
 
  private:
   Status write_head() {
-    std::string head;
-    for (const auto& [key, value] : table_settings(*plan_))
-      head.append("# ").append(key).append(": ").append(value).append("\n");
+    std::string head = setting_lines(table_settings(*plan_));
     if (escaped_) head += kEscapesLine;
     if (!channels().empty()) {
       head += "# kinds:";

@@ -33,11 +33,11 @@ EngineAxes table_axes(const LogHeader& header) {
   return axes;
 }
 
-std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan& plan) {
+TableSettings table_settings(const ExportPlan& plan) {
   const LogHeader& header = plan.header;
   const EngineAxes axes = table_axes(header);
   const sim::Camera& camera = header.scene.camera;
-  std::vector<std::pair<std::string, std::string>> lines;
+  TableSettings lines;
   const auto add = [&](const char* key, const std::string& value) { lines.emplace_back(key, line_text(value)); };
   const bool ours = !header.engine;
   add("engine", ours ? "Tumble" : header.engine->name);
@@ -46,10 +46,7 @@ std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan
   if (!header.scene.name.empty()) add("scene", header.scene.name);
   add("up", std::string(1, static_cast<char>('x' + axes.up)));
   add("handed", axes.left_handed ? "left" : "right");
-  if (!ours && header.engine->precision_bits == kBinary32Bits) {
-    add("precision", "float32");
-    add("cells", "float64");
-  }
+  for (const auto& [key, value] : precision_settings(header)) lines.emplace_back(key, value);
   if (plan.dt) add("dt", exact(*plan.dt));
   add("gravity", triple(axes.their_length(header.scene.world.gravity)));
   add("ground", header.scene.world.ground ? "yes" : "no");
@@ -58,12 +55,7 @@ std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan
   add("camera.fov", exact(camera.fov));
   add("camera.focus", exact(camera.focus));
   add("camera.blur", exact(camera.blur));
-  const Declared& declared = header.declared;
-  if (declared.velocity_derived || declared.spin_derived) {
-    add("derived", std::string(declared.velocity_derived ? "velocity" : "") +
-                       (declared.velocity_derived && declared.spin_derived ? " " : "") +
-                       (declared.spin_derived ? "spin" : ""));
-  }
+  if (const std::string derived = derived_columns(header.declared); !derived.empty()) add("derived", derived);
   return lines;
 }
 

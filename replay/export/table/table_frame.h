@@ -17,7 +17,7 @@ namespace tumble::replay {
 EngineAxes table_axes(const LogHeader& header);
 
 /// Lines of the header, key and value, that give `import` back what the columns do not show.
-std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan& plan);
+TableSettings table_settings(const ExportPlan& plan);
 
 /// States in the axes of a table. Copies nothing where these are ours.
 class TableFrame {

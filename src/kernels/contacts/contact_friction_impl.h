@@ -74,13 +74,13 @@ class Cones {
   void slip(const Friction<V>& d) {
     const V magic = grid_of(most_ * ((magnitude(d.force1) + magnitude(d.force2)) + 2.0 * reach_ * magnitude(d.twist)));
     work_ = V{};
-    longest_ = V{} + kStill;
+    shortest_ = V{} + kStill;
     for (unsigned k = 0; k < m_.batch->count; ++k) {
       const V along1 = slip1_[k] = d.force1 - d.twist * q(k), along2 = slip2_[k] = d.force2 + d.twist * p(k);
       const V square = along1 * along1 + along2 * along2;
       const V per_speed = per_speed_[k] = inverse_root<kIterations>(larger(V{} + 1.0 / (kStill * kStill), square));
       const V impulse = m_.get(m_.points[k].impulse);
-      longest_ = smaller(longest_, impulse > 0.0 ? per_speed : longest_);
+      shortest_ = smaller(shortest_, impulse > 0.0 ? per_speed : shortest_);
       work_ += to_grid(magic, impulse * (square * per_speed));
     }
   }
@@ -91,11 +91,11 @@ class Cones {
   template <class Mask>
   void add_viscous(V per_part, Mask going, FrictionMatrix<V>& matrix) {
     constexpr double kSlowest = 1e6;  // the fastest point is as many times as fast as one that hardly slips
-    const V slowest = longest_ * kSlowest;
+    const V longest = shortest_ * kSlowest;
     V largest = V{};
     for (unsigned k = 0; k < m_.batch->count; ++k) {
       const V impulse = m_.get(m_.points[k].impulse);
-      const V viscous = (coefficient_ * per_part) * (impulse * smaller(slowest, per_speed_[k]));
+      const V viscous = (coefficient_ * per_part) * (impulse * smaller(longest, per_speed_[k]));
       viscous_[k] = going ? viscous : viscous_[k];
       largest = larger(largest, viscous_[k]);
     }
@@ -145,7 +145,7 @@ class Cones {
   V p_, q_, coefficient_;
   static constexpr double kStill = 1e150;  // s/m: how long a point that stands still takes for a metre
 
-  V reach_ = V{}, most_ = V{}, work_ = V{}, longest_ = V{};  // longest_: s/m, of the fastest point
+  V reach_ = V{}, most_ = V{}, work_ = V{}, shortest_ = V{};  // shortest_: s/m, of the fastest point
   V slip1_[kPointsMax], slip2_[kPointsMax], per_speed_[kPointsMax], viscous_[kPointsMax] = {};
 };
 
@@ -159,8 +159,7 @@ Friction<V> cut_to_cones(const Manifolds<V, B>& m, const Pressure<V>& pressure, 
                          const Friction<V>& stop, Mask asked) {
   constexpr int kRounds = 3, kRough = 2, kExact = 4;  // rounds; iterations for 5e-6 of a speed and for all its digits
   constexpr double kLeastPart = 0.3;
-  constexpr double kNear =
-      1e-6;  // of its square: a round that turns the slip by no more than a thousandth was the last
+  constexpr double kNear = 1e-6;  // of a square: a round that turns the slip by a thousandth at most was the last
   ContactBatch& batch = *m.batch;
   const V sliding = m.get(batch.sliding), one = V{} + 1.0, dynamic = m.get(batch.friction_dynamic);
   const V holds = sliding == one ? dynamic : m.get(batch.friction);
