@@ -161,14 +161,14 @@ def display(tumble):
     elif shutil.which("Xvfb") is None:
         yield "Xvfb is missing (tools/setup.sh --only live)"
     else:
-        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "320x240x24", "-nolisten", "tcp"],
+        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "320x240x24", "-nolisten", "tcp", "-noreset"],
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         try:
             number = server.stdout.readline().strip()
             os.environ["DISPLAY"] = ":" + number
             yield "" if number else f"Xvfb gives no display: {server.stderr.read().strip()}"
         finally:
-            server.kill()
+            server.terminate()
             server.communicate()
 
 

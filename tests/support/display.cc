@@ -58,7 +58,9 @@ std::unique_ptr<Display> Display::open(const std::string& folder, std::string& w
   display->folder_ = folder;
   process::Program server;
   const std::string screen = std::to_string(kWidth) + "x" + std::to_string(kHeight) + "x24";
-  server.words = {"Xvfb", "-displayfd", "1", "-screen", "0", screen, "-fbdir", folder, "-nocursor", "-nolisten", "tcp"};
+  // Without -noreset the server starts again when its last client leaves: xdotool, while the window connects.
+  server.words = {"Xvfb",   "-displayfd", "1",         "-screen",   "0",   screen,
+                  "-fbdir", folder,       "-nocursor", "-nolisten", "tcp", "-noreset"};
   server.out = folder + "/display";
   server.err = folder + "/display.err";
   if (process::start(server, display->server_) != 0) {
@@ -82,7 +84,7 @@ Display::~Display() { close(); }
 
 void Display::close() {
   if (server_ == 0) return;
-  ::kill(server_, SIGKILL);
+  ::kill(server_, SIGTERM);  // so that it removes its lock and its socket
   process::wait_for(std::exchange(server_, 0));
 }
 

@@ -16,7 +16,7 @@ cd "$folder"
 rm -f live.tumble window.tumble
 
 exec 3<>display
-Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp 2>/dev/null &
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp -noreset 2>/dev/null &
 display=$!
 trap 'kill $display; rm -f display' EXIT
 until [[ -s display ]]; do sleep 0.1; done
