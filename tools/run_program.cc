@@ -1,6 +1,10 @@
 #include "tools/run_program.h"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <array>
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -11,6 +15,8 @@
 #include <vector>
 
 #include "src/base/text.h"
+#include "src/files/part_file.h"
+#include "src/process/interrupt.h"
 #include "src/process/own_limits.h"
 #include "src/world/float_environment.h"
 #include "tools/arguments/arguments.h"
@@ -113,6 +119,8 @@ Exit run_words(const Command& command, const std::vector<std::string>& words) {
     return fail(who, reading.text + "\n'" + who + " --help' explains the arguments.", Exit::kBadInput);
   }
   if (const Status ok = check_surroundings(); !ok.ok()) return fail(who, ok.error().message, exit_for(ok.error()));
+  const process::InterruptExit interrupts(who + ": interrupted", static_cast<int>(Exit::kCannotFinish),
+                                          files::remove_parts);
   const Result<Exit> result = action();
   if (!result.ok()) return fail(who, result.error().message, exit_for(result.error()));
   return *result;
@@ -162,6 +170,18 @@ Exit run(std::vector<std::string> arguments) {
   return command == nullptr ? unknown_command(name) : run_words(*command, arguments);
 }
 
+// True where standard output is a pipe that its reader has closed, as `head` does.
+bool reader_is_gone() {
+  pollfd out = {STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
+// As every program ends whose reader has gone, also one that ignored the signal for the sake of its own children.
+void end_by_pipe() {
+  std::signal(SIGPIPE, SIG_DFL);
+  static_cast<void>(std::raise(SIGPIPE));
+}
+
 // Exceptions of libraries end here, and outputs are flushed.
 Exit run_safely(const std::function<Exit()>& run) {
   const CleanStream out(std::cout);
@@ -169,6 +189,7 @@ Exit run_safely(const std::function<Exit()>& run) {
   try {
     const Exit exit = run();
     std::cout.flush();
+    if (!std::cout && reader_is_gone()) end_by_pipe();
     if (!std::cout) return fail("tumble", "standard output could not be written (full disk?)", Exit::kCannotFinish);
     return exit;
   } catch (const std::bad_alloc&) {

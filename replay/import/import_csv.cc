@@ -158,7 +158,7 @@ Result<LogSummary> import_csv(std::string_view text, const std::string& name, co
   for (std::uint64_t k = 1; k < found->states; ++k) {
     if (const Result<bool> more = reader->next(step); !more.ok()) return more.error();
     if (Status ok = write_step(**log, *reader, step); !ok.ok()) return ok.error();
-    if (progress && !progress(k, found->states - 1)) return cannot_finish(name + ": stopped before its last step");
+    if (progress && !progress(k, found->states - 1)) return cannot_finish(name + ": interrupted");
   }
   return (*log)->finish();
 }

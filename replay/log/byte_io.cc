@@ -49,7 +49,8 @@ Status locked(const std::string& path, int file) {
 
 class FileSink : public ByteSink {
  public:
-  FileSink(File file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+  FileSink(File file, std::string path, bool is_part)
+      : file_(std::move(file)), path_(std::move(path)), is_part_(is_part) {}
 
   Result<std::size_t> write_some(std::span<const std::byte> bytes) override {
     for (;;) {
@@ -70,10 +71,12 @@ class FileSink : public ByteSink {
     }
   }
   std::string name() const override { return path_; }
+  bool whole_or_nothing() const override { return is_part_; }
 
  private:
   File file_;
   std::string path_;
+  bool is_part_;
 };
 
 class FileSource : public ByteSource {
@@ -97,6 +100,7 @@ class FileSource : public ByteSource {
     return {};
   }
   std::string name() const override { return path_; }
+  std::string writer() const override { return files::holder_of(file_.get()); }
 
  private:
   File file_;
@@ -144,32 +148,41 @@ Result<File> replaced(File old, const std::string& path, mode_t mode) {
     return old;
   }
   static_cast<void>(::fchmod(fresh.get(), mode));
-  if (files::lock(fresh.get()) && std::rename(part.c_str(), place.c_str()) == 0) return fresh;
+  const bool in_place = files::lock(fresh.get()) && std::rename(part.c_str(), place.c_str()) == 0;
   const std::string why = reason();
-  ::unlink(part.c_str());
+  if (!in_place) ::unlink(part.c_str());
+  files::forget_part(part);
+  if (in_place) return fresh;
   return cannot_finish(path + ": cannot be replaced: " + why);
 }
 
-}  // namespace
-
-Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
+Result<File> open_log(const std::string& path) {
   if (Status ok = may_replace(path); !ok.ok()) return ok.error();
   // Replaced once it is locked: until then it may be the log of another process.
   File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (!file.ok()) return files::cannot_open(path, errno);
   struct stat info = {};
-  if (::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode)) {
-    if (!files::lock(file.get())) return locked(path, file.get()).error();
-    if (files::identity_of(path) != files::FileIdentity{info.st_dev, info.st_ino}) {
-      return bad_input(path + ": was replaced by another process just now; try again, or name another file");
-    }
-    if (info.st_size > 0) {
-      Result<File> fresh = replaced(std::move(file), path, info.st_mode & 07777);
-      if (!fresh.ok()) return fresh.error();
-      return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(*std::move(fresh), path));
-    }
+  if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return file;
+  if (!files::lock(file.get())) return locked(path, file.get()).error();
+  if (files::identity_of(path) != files::FileIdentity{info.st_dev, info.st_ino}) {
+    return bad_input(path + ": was replaced by another process just now; try again, or name another file");
   }
-  return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(std::move(file), path));
+  if (info.st_size == 0) return file;
+  return replaced(std::move(file), path, info.st_mode & 07777);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
+  Result<File> file = open_log(path);
+  if (!file.ok()) return file.error();
+  return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(*std::move(file), path, false));
+}
+
+Result<std::unique_ptr<ByteSink>> open_part_sink(const std::string& part, const std::string& path) {
+  Result<File> file = open_log(part);
+  if (!file.ok()) return file.error();
+  return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(*std::move(file), path, true));
 }
 
 Result<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {

@@ -28,6 +28,9 @@ class ByteSink {
 
   /// For messages: the path.
   [[nodiscard]] virtual std::string name() const = 0;
+
+  /// True where what was written is discarded unless the log is completed.
+  [[nodiscard]] virtual bool whole_or_nothing() const { return false; }
 };
 
 /// An origin that bytes are read from, in any order.
@@ -43,6 +46,9 @@ class ByteSource {
 
   /// For messages: the path.
   [[nodiscard]] virtual std::string name() const = 0;
+
+  /// The process that is writing it now, for messages; "" where none is known.
+  [[nodiscard]] virtual std::string writer() const { return ""; }
 };
 
 /// Opens a log file for writing. The file has its final name from the start, so that after a crash the written chunks
@@ -50,6 +56,9 @@ class ByteSource {
 /// file until the sink is destroyed or the process ends. Errors. kBadInput: a folder, no permission, a file that is no
 /// log, a log that another process writes (the message names the process). kCannotFinish: the disk.
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path);
+
+/// Likewise for a log that has another name until it is complete: `part`, of a files::OutputFile. Messages name `path`.
+Result<std::unique_ptr<ByteSink>> open_part_sink(const std::string& part, const std::string& path);
 
 /// Success where open_file_sink() accepts the path: no file, an empty file, a log that nobody writes, or a device.
 /// Errors (kBadInput) name what lies there instead: another file, a golden, a log that is being written.

@@ -6,8 +6,9 @@ std::string LogCondition::summary(std::uint64_t last_step) const {
   if (whole()) return "whole";
   std::string text;
   if (torn) {
-    text = "torn: complete up to byte " + std::to_string(torn_offset) + ", which is step " + std::to_string(last_step) +
-           "; the rest was never written";
+    text = "complete up to byte " + std::to_string(torn_offset) + ", which is step " + std::to_string(last_step);
+    text = writer.empty() ? "torn: " + text + "; the rest was never written"
+                          : "is being written by " + writer + ": " + text + ", so far";
   }
   if (!damages.empty()) {
     if (!text.empty()) text += "; ";

@@ -21,6 +21,7 @@ struct LogCondition {
   bool finished = false;              ///< the footer exists, so the writer completed the log
   bool torn = false;                  ///< the file ends before the footer, as after a crash or with a full disk
   std::uint64_t torn_offset = 0;      ///< end of the last complete record
+  std::string writer;                 ///< of a torn log: the process that is writing it now; "" where none is known
   std::vector<Damage> damages;        ///< by offset
   std::vector<MissingSteps> missing;  ///< steps that were lost before recovery from a damaged log
 

@@ -11,7 +11,8 @@
 namespace tumble::replay {
 namespace {
 
-std::string steps_text(std::uint64_t first, std::uint64_t steps) {
+std::string saved_text(const ByteSink& sink, std::uint64_t first, std::uint64_t steps) {
+  if (sink.whole_or_nothing()) return "no log was written";
   if (steps == 0) return "no step was saved";
   return "steps " + std::to_string(first) + " to " + std::to_string(first + steps - 1) + " are saved and can be read";
 }
@@ -25,8 +26,9 @@ bool reads_back(const Prelude& prelude) {
 
 Status RecordWriter::fail(const std::string& doing, const std::string& why) {
   sink_->truncate(bytes_);  // a log that ends with a complete record
-  status_ = cannot_finish(sink_->name() + ": cannot write " + doing + " at byte " + std::to_string(bytes_) + ": " +
-                          why + "; " + steps_text(first_state_ + 1, steps()) + "; free some space and record again");
+  status_ =
+      cannot_finish(sink_->name() + ": cannot write " + doing + " at byte " + std::to_string(bytes_) + ": " + why +
+                    "; " + saved_text(*sink_, first_state_ + 1, steps()) + "; free some space and try again");
   return status_;
 }
 

@@ -32,11 +32,13 @@ class Walk {
   }
 
   Scan run() {
+    const std::string writer = source_.writer();  // before the end is read: it may come meanwhile
     while (offset_ < source_.size() && read_record()) {
     }
     LogCondition& condition = result_.condition;
     condition.finished = result_.footer.has_value();
     condition.torn = torn_ || (!condition.finished && offset_ >= source_.size());
+    if (condition.torn) condition.writer = writer;
     condition.missing = missing_;
     return std::move(result_);
   }

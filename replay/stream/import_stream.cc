@@ -85,7 +85,7 @@ class StreamImporter {
         break;
       }
       if (progress_ && !progress_(k, frames_ - 1)) {
-        return cannot_finish(stream_.name() + ": stopped before its last step");
+        return cannot_finish(stream_.name() + ": interrupted");
       }
     }
     const Result<LogSummary> summary = (*log)->finish();

@@ -76,7 +76,10 @@ OutputFile::~OutputFile() { discard(); }
 
 void OutputFile::discard() {
   if (file_ >= 0) ::close(std::exchange(file_, -1));
-  if (!in_place_ && !part_.empty()) ::unlink(part_.c_str());
+  if (!in_place_ && !part_.empty()) {
+    ::unlink(part_.c_str());
+    forget_part(part_);
+  }
   part_.clear();
 }
 
@@ -126,6 +129,7 @@ Status OutputFile::commit() {
   if (::close(std::exchange(file_, -1)) != 0) return failed();
   if (in_place_) return {};
   if (std::rename(part_.c_str(), place_.c_str()) != 0) return failed();
+  forget_part(part_);
   part_.clear();
   return {};
 }

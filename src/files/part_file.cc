@@ -4,8 +4,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <csignal>
 #include <filesystem>
 #include <optional>
@@ -21,6 +25,26 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kStemMax = 200;  // of a name: 255 bytes at most, and a part's name is longer
 constexpr int kTriesMax = 1000;
+
+// The names of open parts, where a signal's handler may read them. A part that finds no row stays after a signal, until
+// open_part() removes it.
+struct OpenPart {
+  enum State : int { kFree, kTaken, kNamed };
+  std::atomic<int> state = kFree;
+  std::array<char, PATH_MAX> name = {};
+};
+std::array<OpenPart, 16> open_parts;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void remember_part(const std::string& part) {
+  for (OpenPart& row : open_parts) {
+    int free = OpenPart::kFree;
+    if (part.size() >= row.name.size() || !row.state.compare_exchange_strong(free, OpenPart::kTaken)) continue;
+    std::copy_n(part.c_str(), part.size() + 1, row.name.begin());
+    row.state = OpenPart::kNamed;
+    return;
+  }
+}
 
 /// The process that a part of this stem was made by; none for another file.
 std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
@@ -75,9 +99,22 @@ int open_part(const std::string& place, std::string& part) {
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     struct flock own = whole_file();  // excludes no sink that this process opens for a log of that name
     if (file >= 0) static_cast<void>(::fcntl(file, F_SETLK, &own));
+    if (file >= 0) remember_part(part);
     if (file >= 0 || errno != EEXIST) return file;
   }
   return -1;
+}
+
+void forget_part(const std::string& part) {
+  for (OpenPart& row : open_parts) {
+    if (row.state == OpenPart::kNamed && part == row.name.data()) row.state = OpenPart::kFree;
+  }
+}
+
+void remove_parts() {
+  for (OpenPart& row : open_parts) {
+    if (row.state == OpenPart::kNamed) ::unlink(row.name.data());
+  }
 }
 
 }  // namespace tumble::files

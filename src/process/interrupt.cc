@@ -1,29 +1,76 @@
 #include "src/process/interrupt.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "src/base/check.h"
+
 namespace tumble::process {
 namespace {
+
+constexpr std::array kInterrupts = {SIGINT, SIGTERM, SIGHUP};
+using Handlers = std::array<struct sigaction, kInterrupts.size()>;
 
 volatile std::sig_atomic_t signal_came = 0;
 
 void note_signal(int /*number*/) { signal_came = 1; }
 
+// What the handler of InterruptExit reads: nothing that it would have to build.
+struct LastWords {
+  std::array<char, 256> line = {};
+  std::size_t size = 0;
+  int status = 0;
+  void (*clean_up)() = nullptr;
+};
+LastWords last_words;
+
+void end_program(int /*number*/) {
+  last_words.clean_up();
+  const ssize_t ignored = ::write(STDERR_FILENO, last_words.line.data(), last_words.size);
+  static_cast<void>(ignored);
+  ::_exit(last_words.status);
+}
+
+void handle(void (*handler)(int), Handlers& before) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  for (std::size_t i = 0; i < kInterrupts.size(); ++i) {
+    ::sigaction(kInterrupts[i], nullptr, &before[i]);
+    if (before[i].sa_handler != SIG_IGN) ::sigaction(kInterrupts[i], &action, nullptr);
+  }
+}
+
+void give_back(const Handlers& before) {
+  for (std::size_t i = 0; i < kInterrupts.size(); ++i) ::sigaction(kInterrupts[i], &before[i], nullptr);
+}
+
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
   signal_came = 0;
-  struct sigaction note = {};
-  note.sa_handler = note_signal;
-  note.sa_flags = SA_RESTART;
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    ::sigaction(kSignals[i], nullptr, &before_[i]);
-    if (before_[i].sa_handler != SIG_IGN) ::sigaction(kSignals[i], &note, nullptr);
-  }
+  handle(note_signal, before_);
 }
 
-InterruptGuard::~InterruptGuard() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
-}
+InterruptGuard::~InterruptGuard() { give_back(before_); }
 
 bool InterruptGuard::interrupted() { return signal_came != 0; }
+
+InterruptExit::InterruptExit(const std::string& line, int status, void (*clean_up)()) {
+  SIM_CHECK(last_words.clean_up == nullptr);
+  last_words.size = std::min(line.size(), last_words.line.size() - 1);
+  std::copy_n(line.begin(), last_words.size, last_words.line.begin());
+  last_words.line[last_words.size++] = '\n';
+  last_words.status = status;
+  last_words.clean_up = clean_up;
+  handle(end_program, before_);
+}
+
+InterruptExit::~InterruptExit() {
+  give_back(before_);
+  last_words.clean_up = nullptr;
+}
 
 }  // namespace tumble::process

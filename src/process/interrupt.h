@@ -2,6 +2,7 @@
 
 #include <array>
 #include <csignal>
+#include <string>
 
 namespace tumble::process {
 
@@ -17,8 +18,21 @@ class InterruptGuard {
   [[nodiscard]] static bool interrupted();
 
  private:
-  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, kSignals.size()> before_ = {};
+  std::array<struct sigaction, 3> before_ = {};
+};
+
+/// While it exists and no guard does, these signals end the program: they clean up, print a line on standard error, and
+/// exit with a status. A signal that the caller ignores stays ignored. One at a time (SIM_CHECK).
+class InterruptExit {
+ public:
+  /// clean_up: does what POSIX allows in the handler of a signal.
+  InterruptExit(const std::string& line, int status, void (*clean_up)());
+  ~InterruptExit();
+  InterruptExit(const InterruptExit&) = delete;
+  InterruptExit& operator=(const InterruptExit&) = delete;
+
+ private:
+  std::array<struct sigaction, 3> before_ = {};
 };
 
 }  // namespace tumble::process

@@ -12,6 +12,7 @@
 #include "replay/arrays/array_table.h"
 #include "replay/arrays/npz.h"
 #include "replay/import/import_csv.h"
+#include "src/files/output_file.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
@@ -21,6 +22,7 @@
 #include "tools/output/axes_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
@@ -67,13 +69,19 @@ Result<std::string> read_table(const std::string& path) {
   return text;
 }
 
+// A log that was there stays until the new one is complete.
 Result<replay::LogSummary> import_to(const ImportCommand& options, const std::string& output, const std::string& text,
                                      const replay::ImportOptions& how) {
+  if (Status ok = replay::may_replace(output); !ok.ok()) return ok.error();
+  Result<files::OutputFile> file = files::OutputFile::create(output);
+  if (!file.ok()) return file.error();
   ProgressBar bar("importing", !options.quiet);
   const process::InterruptGuard guard;
   Result<replay::LogSummary> summary = replay::import_csv(
-      text, options.table, [&] { return replay::open_file_sink(output); }, how, bar.progress());
+      text, options.table, [&] { return replay::open_part_sink(file->part(), output); }, how, bar.progress());
   bar.finish();
+  if (!summary.ok()) return summary;
+  if (Status ok = file->commit(); !ok.ok()) return ok.error();
   return summary;
 }
 
@@ -215,12 +223,8 @@ Result<Exit> import_command(const ImportCommand& options) {
   guard.keep(options.model, "the model");
   guard.keep(options.like, "the log of --like");
   if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
-  const bool was_there = is_there(output);
   const Result<replay::LogSummary> summary = import_to(options, output, *text, how);
-  if (!summary.ok()) {
-    remove_empty_log(output, was_there);
-    return summary.error();
-  }
+  if (!summary.ok()) return summary.error();
   const Result<replay::LogReader> log = replay::LogReader::open(output);
   if (!log.ok()) return log.error();
   if (!options.quiet) {

@@ -11,11 +11,13 @@
 
 #include "replay/stream/import_stream.h"
 #include "replay/stream/stream_tail.h"
+#include "src/files/output_file.h"
 #include "src/process/interrupt.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
@@ -105,16 +107,17 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
   if (!source.ok()) return source.error();
   Result<StreamReader> stream = StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error();
-  const bool was_there = is_there(files.output);
+  if (Status ok = replay::may_replace(files.output); !ok.ok()) return ok.error();
+  Result<files::OutputFile> file =
+      files::OutputFile::create(files.output);  // what was there stays until this is complete
+  if (!file.ok()) return file.error();
   ProgressBar bar("importing", !files.quiet);
   const process::InterruptGuard guard;
   Result<replay::StreamImport> done = replay::import_stream(
-      *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
+      *stream, [&] { return replay::open_part_sink(file->part(), files.output); }, bar.progress());
   bar.finish();
-  if (!done.ok()) {
-    remove_empty_log(files.output, was_there);
-    return done.error();
-  }
+  if (!done.ok()) return done.error();
+  if (Status ok = file->commit(); !ok.ok()) return ok.error();
   advise_about_tail(files, *stream, *done);
   if (!files.quiet) {
     for (const std::string& warning : done->warnings)

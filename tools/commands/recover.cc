@@ -100,8 +100,9 @@ void print_as_json(const RecoverCommand& options, const RecoverReport& report) {
   print_json("recover", json);
 }
 
-Result<RecoverReport> write_partial(const replay::ByteSource& source, const std::string& partial) {
-  Result<std::unique_ptr<replay::ByteSink>> sink = replay::open_file_sink(partial);
+Result<RecoverReport> write_partial(const replay::ByteSource& source, const files::OutputFile& file,
+                                    const std::string& path) {
+  Result<std::unique_ptr<replay::ByteSink>> sink = replay::open_part_sink(file.part(), path);
   if (!sink.ok()) return sink.error();
   return replay::recover_log(source, *std::move(sink));
 }
@@ -113,7 +114,7 @@ Result<Exit> recover(const RecoverCommand& options) {
   Result<files::OutputFile> file =
       files::OutputFile::create(options.log);  // the old log stays until the new one is read
   if (!file.ok()) return file.error();
-  const Result<RecoverReport> report = write_partial(**source, file->part());
+  const Result<RecoverReport> report = write_partial(**source, *file, options.log);
   if (!report.ok()) return report.error();
   if (file->is_device())
     return bad_input("-o: " + options.log + ": found a device or a pipe, wanted a file to read back");

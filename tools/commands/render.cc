@@ -53,7 +53,7 @@ std::string picture_path(const RenderPlan& plan, std::size_t index, bool only_st
   std::string number = std::to_string(only_states ? plan.frames[index].step : index);
   const std::size_t width = 4;
   if (number.size() < width) number.insert(0, width - number.size(), '0');
-  return plan.output + "/frame_" + number + ".png";
+  return (std::filesystem::path(plan.output) / ("frame_" + number + ".png")).string();
 }
 
 bool has_only_states(const RenderPlan& plan) {
@@ -111,26 +111,33 @@ class Drawing {
     Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(plan_.settings, plan_.backend);
     if (!renderer.ok()) return renderer.error();
     renderer_ = *std::move(renderer);
+    const process::InterruptGuard guard;  // before ffmpeg has a file
     if (Status ok = prepare_output(plan_, movie_); !ok.ok()) return ok.error();
     summary_.older = count_older(plan_);
     summary_.driver = renderer_->driver();
     summary_.backend = renderer_->backend_name();
     ProgressBar bar("drawing");
-    const process::InterruptGuard guard;
     for (std::size_t i = 0; i < plan_.frames.size() && !process::InterruptGuard::interrupted(); ++i) {
       bar.show(i, plan_.frames.size());
       if (Status ok = draw(i); !ok.ok()) return ok.error();
     }
     bar.finish();
+    if (process::InterruptGuard::interrupted()) return interrupted();
     if (plan_.kind == OutputKind::kMovie) {
       if (Status ok = movie_.finish(); !ok.ok()) return ok.error();
     }
-    if (!process::InterruptGuard::interrupted()) return summary_;
-    return cannot_finish("interrupted; " + plan_.output + " holds the first " +
-                         count_text(summary_.pictures, "picture"));
+    return summary_;
   }
 
  private:
+  // A movie is whole or not there: `movie_` discards it.
+  [[nodiscard]] Error interrupted() const {
+    const std::string drawn = "interrupted after " + count_text(summary_.pictures, "picture") + " of " +
+                              std::to_string(plan_.frames.size()) + "; ";
+    if (plan_.kind == OutputKind::kMovie) return cannot_finish(drawn + "no movie was written to " + plan_.output);
+    return cannot_finish(drawn + plan_.output + " holds them");
+  }
+
   Status draw(std::size_t index) {
     const Frame& frame = plan_.frames[index];
     const Result<replay::Picture> picture = frames_.make(frame);

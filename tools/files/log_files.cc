@@ -35,18 +35,6 @@ Result<replay::LogReader> open_values(const std::string& path) {
   return log;
 }
 
-bool is_there(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::exists(path, ignored);
-}
-
-void remove_empty_log(const std::string& path, bool was_there) {
-  std::error_code ignored;
-  const bool is_empty =
-      std::filesystem::is_regular_file(path, ignored) && std::filesystem::file_size(path, ignored) == 0;
-  if (is_empty && !was_there) std::filesystem::remove(path, ignored);
-}
-
 Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path,
                     files::FileKind kind) {
   if (Status ok = guard.claim(option, path); !ok.ok()) return ok;

@@ -19,12 +19,6 @@ Status wants_values(const replay::LogReader& log);
 /// open_log() and wants_values().
 Result<replay::LogReader> open_values(const std::string& path);
 
-/// Whether a file of that name is there.
-bool is_there(const std::string& path);
-
-/// Removes the log that a command made and could write no byte to. was_there: before the command.
-void remove_empty_log(const std::string& path, bool was_there);
-
 /// For an output that is no log: guard.claim(), which also refuses a path where a log or a golden lies, or any other
 /// file that is not of the output's kind.
 Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path,

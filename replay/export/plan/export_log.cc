@@ -49,7 +49,7 @@ Status for_each_step(LogReader& log, const ExportPlan& plan, Use&& use, const Pr
     if (Status ok = find_rows(plan, **record, i, rows); !ok.ok()) return ok;
     if (Status ok = use(ExportStep{i, plan.times[i], **record, rows}); !ok.ok()) return ok;
     if (progress && !progress(plan.steps.size() + i, 2 * plan.steps.size())) {
-      return cannot_finish(plan.log_name + ": stopped before its last step");
+      return cannot_finish(plan.log_name + ": interrupted");
     }
   }
   log.read_ahead(false);

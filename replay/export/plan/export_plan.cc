@@ -225,7 +225,7 @@ Result<ExportPlan> plan_export(LogReader& log, const ExportChoice& choice, const
     if (k > log.first_state()) steps.add_step(dt);
     if (steps.take(k, plan)) bodies.mark(plan.steps.size() - 1);
     if (progress && !progress(k - log.first_state(), 2 * (choice.last - log.first_state()) + 1)) {
-      return cannot_finish(log.name() + ": stopped before its last step");
+      return cannot_finish(log.name() + ": interrupted");
     }
   }
   steps.finish(log.header(), plan);
