@@ -32,8 +32,14 @@ std::vector<CanaryResult> run_known_drawings();
 /// Textures, movements of the camera, meshes and views of pictures that no case draws.
 std::vector<CanaryResult> run_known_pictures();
 
-/// Worlds, inputs, snapshots and cameras with a slip each that no file of a scene can have, and what they are told.
+/// Worlds, inputs and cameras with a slip each that no file of a scene can have, and what they are told.
 std::vector<CanaryResult> run_known_worlds();
+
+/// Snapshots with a slip each that no session wrote, and what they are told.
+std::vector<CanaryResult> run_known_snapshots();
+
+/// Signals and variables of the process: what a command takes over and gives back.
+std::vector<CanaryResult> run_known_signals();
 
 /// Small sessions computed in two ways that must agree to the bit: with lanes of every width of this machine, by
 /// threads, step by step from snapshots, and through a log. And two sessions that are not within bounds of one another.

@@ -160,6 +160,31 @@ std::string folder_claimed(const fs::path& folder) {
   return found;
 }
 
+// Files of a folder that is kept, by other ways to them: a hard link from without, a folder that a link leads to.
+std::string links_claimed(const fs::path& folder) {
+  std::error_code error;
+  for (const char* place : {"kept/deep", "far", "beside"}) fs::create_directories(folder / place, error);
+  for (const char* file : {"kept/top", "kept/deep/log", "far/file"}) {
+    if (!write_file(folder / file, "x").ok()) return "not written";
+  }
+  fs::create_hard_link(folder / "kept/top", folder / "beside/top", error);
+  fs::create_hard_link(folder / "kept/deep/log", folder / "beside/log", error);
+  fs::create_directory_symlink(folder / "far", folder / "kept/link", error);
+  if (error) return "as known";  // no links there
+  files::OutputGuard guard;
+  guard.keep_folder(folder / "kept", "the case");
+  std::string found;
+  for (const char* place : {"kept/top", "kept/deep/log", "kept/deep/new", "kept/link/file", "far/file", "far/new",
+                            "beside/top", "beside/log", "beside/new"}) {
+    const Status ok = guard.claim("-o", folder / place);
+    found += place + (ok.ok() ? " taken, "s : " refused, "s);
+  }
+  const bool known = found ==
+                     "kept/top refused, kept/deep/log refused, kept/deep/new refused, kept/link/file refused, "
+                     "far/file refused, far/new refused, beside/top refused, beside/log refused, beside/new taken, ";
+  return known ? "as known" : found;
+}
+
 }  // namespace
 
 std::vector<CanaryResult> run_known_files() {
@@ -179,6 +204,7 @@ std::vector<CanaryResult> run_known_files() {
   known("a folder is one process's at a time", folder_locked(folder), "refused, with the process, taken later");
   known("a folder of outputs holds nothing that must stay", folder_claimed(folder),
         "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
+  known("a file that must stay is found by every way to it", links_claimed(folder), "as known");
   return results;
 }
 

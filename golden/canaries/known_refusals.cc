@@ -128,6 +128,21 @@ constexpr std::array kSlips = {
          "[world]\nsteps = 9\nmethod = \"layered\"\ndt = 0.01\n[[box]]\nmass = 1e-9\nsize = [0.001, 0.001, 0.001]\n"
          "[[box]]\nmass = 1e12\nposition = [0.4, 0.3, 0.9]\nvelocity = [0, 0, -4000]\nspin = [9, 8, 7]\n",
          "step 1, phase finish_motion: body 1: found spin ("},
+    Slip{"a body that another turns beyond the grids ends the session",
+         "[world]\nsteps = 2\nmethod = \"layered\"\nsubsteps = 1\ndt = 0.01\n[material]\nfriction = 0\nrestitution = "
+         "1\n[[box]]\nmass = 7.6e-9\nsize = [0.00024, 0.00012, 0.00012]\nposition = [0, 0, 1.69]\norientation = [0.01, "
+         "0.27, 0.23, 0.58]\n[[box]]\nmass = 8e7\nsize = [1, 1.63, 1]\nposition = [0.5093, 0.3838, 1.18]\nvelocity = "
+         "[4.6, 9.8, 5.8]\nspin = [-3853, 3080, 7304]\n",
+         "step 1, phase integrate_positions: body 1 (7.6e-09 kg) on body 2 (8e+07 kg): found spin ("},
+    Slip{"a body that the ground turns beyond the grids ends the session",
+         "[world]\nsteps = 2\nmethod = \"layered\"\nsubsteps = 1\ndt = 0.01\n[material]\nfriction = 5\n[[box]]\nmass = "
+         "1e-3\nsize = [0.01, 0.0001, 0.0001]\nposition = [0, 0, 0.002]\norientation = [1, 0.1, 0.2, "
+         "0.3]\nvelocity = [0, 0, -8000]\n",
+         "step 1, phase integrate_positions: body 1 (0.001 kg) on the ground: found spin ("},
+    Slip{"a body that slides out of the world ends the session",
+         "[world]\nsteps = 9\nmethod = \"layered\"\n[material]\nfriction = 0\n[[box]]\nposition = [32767.5, 0, "
+         "0.5]\nvelocity = [100, 0, 0]\n",
+         "step 1, phase integrate_positions: body 1 (1 kg) on the ground: found position (32768."},
     Slip{"a body that becomes too fast ends the session",
          "[world]\nsteps = 2\ndt = 0.5\nground = false\ngravity = [0, 0, -9000]\n[[box]]\nvelocity = [0, 0, -8000]\n",
          "step 1, phase finish_motion: body 1: found velocity (0, 0, -12500) m/s, wanted finite and within ±8192 "

@@ -6,6 +6,8 @@
 #include "golden/hunt/apart/session_pair.h"
 #include "golden/hunt/judge/relation.h"
 #include "golden/hunt/scene/grammar.h"
+#include "src/world/scratch.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::golden {
 namespace {
@@ -58,11 +60,47 @@ CanaryResult judge_pair() {
   return result;
 }
 
+// Looks at the layers of each sweep, as `blame` and `diff --zoom` do, and at nothing else.
+class Watcher : public sim::LayerObserver {
+ public:
+  void layer_solved(const sim::Scratch&, const sim::ContactBatches&, std::size_t) override { ++layers; }
+  std::uint64_t layers = 0;
+};
+
+// A heap of plates and a big one on it, taken with and without somebody who looks.
+CanaryResult watch_heap() {
+  CanaryResult result = {"a session that is watched has the same bits", false, "as known", "suite"};
+  sim::SceneDef scene;
+  scene.world.method = sim::Method::kLayered;
+  for (std::uint64_t k = 0; k < 60; ++k) {
+    sim::BoxDef& box = scene.boxes.emplace_back();
+    box.id = k + 1;
+    box.size = k == 59 ? sim::Vec3(4, 3, 0.2) : sim::Vec3(0.6, 0.5, 0.25 + 0.01 * static_cast<double>(k % 7));
+    box.position = {0.55 * static_cast<double>(k % 5) - 1, 0.45 * static_cast<double>(k / 5 % 4) - 0.6,
+                    0.25 + 0.5 * static_cast<double>(k / 20)};
+    if (k == 59) box.position = {0, 0, 2};
+    box.spin = {0, 0, static_cast<double>(k % 3)};
+  }
+  Result<sim::World> plain = sim::create_world(scene), watched = sim::create_world(scene);
+  Watcher watcher;
+  for (int k = 0; plain.ok() && watched.ok() && k < 40; ++k) {
+    watched->mutable_scratch().layers = &watcher;
+    const auto one = sim::step(*plain), other = sim::step(*watched);
+    if (!one.ok() || !other.ok() || *one != *other || plain->state() != watched->state()) {
+      result.message = "step " + std::to_string(k + 1) + " differs";
+      return result;
+    }
+  }
+  result.caught = watcher.layers > 0;
+  if (!result.caught) result.message = "nobody was told of a layer";
+  return result;
+}
+
 }  // namespace
 
 std::vector<CanaryResult> run_known_sessions() {
   std::vector<CanaryResult> results;
-  results.reserve(kWays.size() + 1);
+  results.reserve(kWays.size() + 2);
   for (const Way& way : kWays) results.push_back({way.name, true, "as known", way.about});
   for (std::uint64_t number = 0; number < kScenes; ++number) {
     const Result<hunt::Trace> trace = hunt::trace(hunt::random_scene(kSeed, number));
@@ -77,6 +115,7 @@ std::vector<CanaryResult> run_known_sessions() {
     }
   }
   results.push_back(judge_pair());
+  results.push_back(watch_heap());
   return results;
 }
 

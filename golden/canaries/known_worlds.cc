@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "golden/canaries/known_answers.h"
+#include "golden/canaries/wrong_value.h"
 #include "src/base/text.h"
 #include "src/model/camera.h"
 #include "src/world/memory_use.h"
@@ -17,30 +18,6 @@ using sim::Vec3;
 using sim::World;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-std::string status_text(const Status& status) { return status.ok() ? "taken" : status.error().message; }
-
-// A crate on the ground, one on it, a static box: enough for contacts, pairs and contact objects.
-sim::SceneDef three_crates(sim::Method method) {
-  sim::SceneDef scene;
-  scene.world.method = method;
-  scene.world.substeps = 2;
-  for (std::uint64_t id = 1; id <= 3; ++id) {
-    sim::BoxDef& box = scene.boxes.emplace_back();
-    box.id = id;
-    box.position = {id == 3 ? 1.5 : 0.0, 0, id == 2 ? 1.5 : 0.5};
-    box.is_static = id == 3;
-  }
-  scene.boxes[0].frozen = true;
-  return scene;
-}
-
-template <class Value>
-struct WrongValue {
-  const char* name;
-  std::function<void(Value&)> spoil;
-  const char* message;
-};
 
 // Scenes that no file can hold, since the reader of scenes refuses them: from a log, or by another program.
 const std::vector<WrongValue<sim::SceneDef>>& wrong_scenes() {
@@ -138,52 +115,6 @@ const std::vector<WrongInput>& wrong_inputs() {
   return kWrongInputs;
 }
 
-// Snapshots that no session wrote.
-const std::vector<WrongValue<sim::WorldState>>& wrong_snapshots() {
-  static const std::vector<WrongValue<sim::WorldState>> kWrongSnapshots = {
-      {"as it must be", [](auto&) {}, "taken"},
-      {"a column too short", [](auto& s) { s.bodies.friction.pop_back(); },
-       "snapshot: the columns of the bodies differ in length"},
-      {"ids that do not ascend", [](auto& s) { s.bodies.id[1] = 1; },
-       "snapshot: ids do not ascend within 1 … 2^53 − 1"},
-      {"no substeps", [](auto& s) { s.def.substeps = 0; }, "world: substeps must be 1 … 1024"},
-      {"a position beyond", [](auto& s) { s.bodies.position.x[0] = -32769; },
-       "snapshot: body 1: found position (-32769, 0, 0.5) m, wanted finite and within ±32768 m; it left the world: "
-       "start nearer to the origin, stop it, or remove it before"},
-      {"a velocity beyond", [](auto& s) { s.bodies.velocity.x[1] = 8193; },
-       "snapshot: body 2: found velocity (8193, 0, 7.27595761e-12) m/s, wanted finite and within ±8192 m/s; use "
-       "smaller speeds, a smaller dt or less extreme masses"},
-      {"a spin that is no number", [](auto& s) { s.bodies.spin.x[1] = kNone; },
-       "snapshot: body 2: found spin (nan, 0, 0) rad/s, wanted finite and within ±8192 rad/s; use smaller speeds, a "
-       "smaller dt or less extreme masses"},
-      {"an orientation of no unit length", [](auto& s) { s.bodies.orientation.w[1] = 1.5; },
-       "snapshot: body 2: found an orientation of squared length 2.250000, wanted 1"},
-      {"no mass", [](auto& s) { s.bodies.mass[1] = 0; },
-       "snapshot: body 2 has a size, mass, inertia or material out of range"},
-      {"an inertia below 0", [](auto& s) { s.bodies.inertia.y[1] = -1; },
-       "snapshot: body 2 has a size, mass, inertia or material out of range"},
-      {"a flag of 2", [](auto& s) { s.bodies.frozen[0] = 2; },
-       "snapshot: body 1 has a size, mass, inertia or material out of range"},
-      {"a pair in the wrong order",
-       [](auto& s) { s.pairs.a.push_back(1), s.pairs.b.push_back(0), s.pairs.planes.push_back(0); },
-       "snapshot: pair 1 is out of order or out of range"},
-      {"pairs of two lengths", [](auto& s) { s.pairs.a.push_back(1); },
-       "snapshot: the columns of the pair list differ in length"},
-      {"a contact object of nobody",
-       [](auto& s) { s.contact_objects.body.push_back(9), s.contact_objects.object.push_back(0); },
-       "snapshot: contact object 0 is out of order or out of range"},
-      {"contact objects of two lengths", [](auto& s) { s.contact_objects.body.push_back(0); },
-       "snapshot: contact objects differ in length"},
-      {"contact memory of two lengths", [](auto& s) { s.contact_memory.a.push_back(0); },
-       "snapshot: the columns of the contact memory differ in length"},
-      {"contact memory without its points", [](auto& s) { s.contact_memory.count[0] += 1; },
-       "snapshot: the contact memory's points do not add up"},
-      {"contact memory of nobody", [](auto& s) { s.contact_memory.b[0] = 9; },
-       "snapshot: contact memory 0 is out of range"},
-  };
-  return kWrongSnapshots;
-}
-
 const std::vector<WrongValue<sim::Camera>>& wrong_cameras() {
   static const std::vector<WrongValue<sim::Camera>> kWrongCameras = {
       {"as it must be", [](auto&) {}, "taken"},
@@ -247,18 +178,6 @@ std::string memory_held() {
   return found;
 }
 
-// Asks for everything that is wrong; the first answer that is not the known one, "as known" if all are.
-template <class Value, class Take>
-std::string ask_all(const std::vector<WrongValue<Value>>& all, const Value& good, Take take) {
-  for (const WrongValue<Value>& one : all) {
-    Value value = good;
-    one.spoil(value);
-    const std::string found = status_text(take(value));
-    if (found != one.message) return std::string(one.name) + ": " + found;
-  }
-  return "as known";
-}
-
 std::string ask_all(const World& world) {
   for (const WrongInput& input : wrong_inputs()) {
     World copy = world;
@@ -266,11 +185,6 @@ std::string ask_all(const World& world) {
     if (found != input.message) return std::string(input.name) + ": " + found;
   }
   return "as known";
-}
-
-template <class Value>
-Status status_of(const Result<Value>& result) {
-  return result.ok() ? Status() : Status(result.error());
 }
 
 }  // namespace
@@ -286,8 +200,6 @@ std::vector<CanaryResult> run_known_worlds() {
         ask_all(wrong_scenes(), three_crates(sim::Method::kThesis),
                 [](const auto& scene) { return status_of(sim::create_world(scene)); }));
   known("inputs that cannot be are refused", ask_all(*world));
-  known("snapshots that no session wrote are refused",
-        ask_all(wrong_snapshots(), world->state(), [](const auto& state) { return status_of(World::restore(state)); }));
   known("cameras that see nothing are refused",
         ask_all(wrong_cameras(), sim::Camera{{0, -9, 2}, {0, 0, 1}, 50, 9, 1}, sim::check_camera));
   known("a copy of a world goes its own way", world_copied(), "2 of 3, alike");

@@ -3,6 +3,7 @@
   python3 mutants.py draw --seed S --count N        draws N places and writes the list; nothing is picked by hand
   python3 mutants.py run --tree DIR [--take K/N]    plants, builds and judges mutants that have no verdict yet
   python3 mutants.py table                          how many were caught, by what, and which were missed
+  python3 mutants.py --list FILE draw …             another list; FILE counts from the folder of this repository
 
 `draw` takes each token of src that can change with equal chance: operators, numbers, true and false, min and max,
 axes, break and continue. Comments, texts and lines of the preprocessor are left out. A mutant that does not compile is
@@ -30,7 +31,7 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-LIST = ROOT / "tests/mutants/mutants.jsonl"
+list_file = ROOT / "tests/mutants/mutants.jsonl"
 CANNOT_BUILD = "does not compile"
 # A hunt draws no picture: only check can notice these.
 NO_HUNT = ("src/render/",)
@@ -94,14 +95,14 @@ def places_in(file):
 
 def read_list():
     """What the list is, and its mutants."""
-    head, *rows = (json.loads(line) for line in LIST.read_text().splitlines())
+    head, *rows = (json.loads(line) for line in list_file.read_text().splitlines())
     return head, rows
 
 
 def write_list(head, rows):
-    LIST.parent.mkdir(parents=True, exist_ok=True)
-    LIST.with_suffix(".new").write_text("".join(json.dumps(row) + "\n" for row in [head, *rows]))
-    LIST.with_suffix(".new").replace(LIST)
+    list_file.parent.mkdir(parents=True, exist_ok=True)
+    list_file.with_suffix(".new").write_text("".join(json.dumps(row) + "\n" for row in [head, *rows]))
+    list_file.with_suffix(".new").replace(list_file)
 
 
 def commit():
@@ -118,7 +119,7 @@ def draw(options):
         rows.append({"number": number, "file": str(file.relative_to(ROOT)), "line": line, "column": column, "was": was,
                      "is": chance.choice(choices), "text": text, "verdict": None, "by": None, "moves_bits": None})
     write_list({"seed": options.seed, "count": options.count, "places": len(places), "commit": commit()}, rows)
-    print(f"{len(rows)} mutants of {len(places)} places: {LIST.relative_to(ROOT)}")
+    print(f"{len(rows)} mutants of {len(places)} places: {list_file.relative_to(ROOT)}")
 
 
 def quiet(words, log, cwd, limit):
@@ -244,7 +245,10 @@ def run(options):
     judge.prepare()
     part, parts = (int(word) for word in options.take.split("/"))
     wanted = "missed" if options.missed else None
+    numbers = {int(word) for word in options.numbers.split(",")} if options.numbers else None
     mine = [row for row in read_list()[1] if row["verdict"] == wanted and row["number"] % parts == part % parts]
+    if numbers is not None:
+        mine = [row for row in mine if row["number"] in numbers]
     for row in sorted(mine, key=lambda row: cost(row["file"])):
         begin = time.time()
         verdict, by, bits = judge.run(row)
@@ -279,6 +283,7 @@ def table(_):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--list", help="another list than tests/mutants/mutants.jsonl")
     commands = parser.add_subparsers(required=True)
     one = commands.add_parser("draw")
     one.add_argument("--seed", type=int, required=True)
@@ -290,9 +295,13 @@ def main():
     one.add_argument("--scenes", type=int, default=5000)
     one.add_argument("--jobs", type=int, default=2)
     one.add_argument("--missed", action="store_true", help="ask those again that were missed")
+    one.add_argument("--numbers", metavar="N,N", help="of these alone")
     one.set_defaults(act=run)
     commands.add_parser("table").set_defaults(act=table)
     options = parser.parse_args()
+    if options.list:
+        global list_file
+        list_file = ROOT / options.list
     options.act(options)
 
 
