@@ -237,7 +237,7 @@ std::vector<CanaryResult> run_canaries(Judge judge_function) {
   for (CanaryResult& result : run_suite_canaries()) results.push_back(std::move(result));
   for (auto* const known : {run_known_answers, run_known_drawings, run_known_files, run_known_limits,
                             run_known_pictures, run_known_processes, run_known_refusals, run_known_scenes,
-                            run_known_sessions, run_known_signals, run_known_snapshots, run_known_worlds}) {
+                            run_known_sessions, run_known_snapshots, run_known_worlds}) {
     for (CanaryResult& result : known()) results.push_back(std::move(result));
   }
   return results;

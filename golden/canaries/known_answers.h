@@ -23,7 +23,8 @@ std::vector<CanaryResult> run_known_limits();
 /// How outputs are written, replaced and guarded.
 std::vector<CanaryResult> run_known_files();
 
-/// How programs and jobs end; programs where the machine has a shell at its usual place.
+/// How programs and jobs end, and what a command takes over of its process and gives back; programs where the machine
+/// has a shell at its usual place.
 std::vector<CanaryResult> run_known_processes();
 
 /// Stages, effects and markers of a small picture; none where the machine has no OpenGL.
@@ -37,9 +38,6 @@ std::vector<CanaryResult> run_known_worlds();
 
 /// Snapshots with a slip each that no session wrote, and what they are told.
 std::vector<CanaryResult> run_known_snapshots();
-
-/// Signals and variables of the process: what a command takes over and gives back.
-std::vector<CanaryResult> run_known_signals();
 
 /// Small sessions computed in two ways that must agree to the bit: with lanes of every width of this machine, by
 /// threads, step by step from snapshots, and through a log. And two sessions that are not within bounds of one another.

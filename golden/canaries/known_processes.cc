@@ -1,12 +1,17 @@
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "golden/canaries/known_answers.h"
@@ -14,8 +19,11 @@
 #include "golden/suite/text_files.h"
 #include "src/process/child.h"
 #include "src/process/child_pipe.h"
+#include "src/process/interrupt.h"
 #include "src/process/run_child.h"
 #include "tumble/process/job_pool.h"
+#include "tumble/render/backend.h"
+#include "tumble/render/renderer.h"
 
 namespace tumble::golden {
 namespace {
@@ -104,6 +112,62 @@ std::string jobs_pooled() {
   return found;
 }
 
+volatile std::sig_atomic_t told_signal = 0;
+
+void tell_signal(int number) { told_signal = number; }
+
+constexpr std::array kGuarded = {std::pair{SIGINT, "SIGINT"}, std::pair{SIGTERM, "SIGTERM"},
+                                 std::pair{SIGHUP, "SIGHUP"}};
+
+// Sends a signal to this process: who was told of it.
+std::string sent(int number) {
+  told_signal = 0;
+  static_cast<void>(std::raise(number));
+  return told_signal == number ? "handler" : process::InterruptGuard::interrupted() ? "guard" : "nobody";
+}
+
+// Each signal before a guard exists, while it exists and after, with a handler of the caller's; and where the caller
+// ignores it. In a process of its own, whose handlers are nobody's.
+std::string signals_guarded() {
+  std::string found;
+  for (const auto& [number, name] : kGuarded) std::signal(number, tell_signal);
+  for (const auto& [number, name] : kGuarded) {
+    found += name + (" " + sent(number));
+    {
+      const process::InterruptGuard guard;
+      found += " " + sent(number);
+    }
+    {
+      const process::InterruptGuard next;
+      found += process::InterruptGuard::interrupted() ? " still" : "";
+    }
+    found += " " + sent(number);
+    std::signal(number, SIG_IGN);
+    {
+      const process::InterruptGuard guard;
+      found += " " + sent(number);
+    }
+    std::signal(number, tell_signal);
+    found += "; ";
+  }
+  return found;
+}
+
+// What drawing off-screen leaves of the variable by which a user chooses who draws.
+std::string variable_kept(const std::optional<std::string>& value) {
+  constexpr const char* kVariable = "LIBGL_ALWAYS_SOFTWARE";
+  if (value) {
+    ::setenv(kVariable, value->c_str(), 1);
+  } else {
+    ::unsetenv(kVariable);
+  }
+  const auto renderer = render::Renderer::create({64, 48, 1, {}}, render::Backend::kEgl);
+  const char* const after = std::getenv(kVariable);
+  if (after == nullptr) return value ? "taken away" : "kept";
+  if (!value) return after == std::string_view("1") ? "kept" : after;
+  return after == *value ? "kept" : after;
+}
+
 }  // namespace
 
 std::vector<CanaryResult> run_known_processes() {
@@ -124,6 +188,18 @@ std::vector<CanaryResult> run_known_processes() {
   }
   known("a job that fails harms no other", jobs_pooled(),
         "job 0; job 1; job 2; ended with status 97 before it was done; took longer than 0 s; cancelled");
+  // In processes of their own, whose signals and variables are nobody's.
+  const auto known_apart = [&](const char* name, std::string_view wanted, std::string (*ask)()) {
+    process::run_jobs(
+        1, [&](std::size_t) { return ask(); },
+        [&](std::size_t, const process::JobResult& child) { known(name, child.failure + child.output, wanted); }, {});
+  };
+  known_apart("signals are taken over and given back",
+              "SIGINT handler guard handler nobody; SIGTERM handler guard handler nobody; SIGHUP handler guard handler "
+              "nobody; ",
+              signals_guarded);
+  known_apart("a choice of who draws is the user's", "kept kept",
+              [] { return variable_kept("0") + " " + variable_kept(std::nullopt); });
   return results;
 }
 

@@ -75,9 +75,10 @@ CanaryResult watch_heap() {
   for (std::uint64_t k = 0; k < 60; ++k) {
     sim::BoxDef& box = scene.boxes.emplace_back();
     box.id = k + 1;
+    const std::uint64_t row = k / 5 % 4, layer = k / 20;
     box.size = k == 59 ? sim::Vec3(4, 3, 0.2) : sim::Vec3(0.6, 0.5, 0.25 + 0.01 * static_cast<double>(k % 7));
-    box.position = {0.55 * static_cast<double>(k % 5) - 1, 0.45 * static_cast<double>(k / 5 % 4) - 0.6,
-                    0.25 + 0.5 * static_cast<double>(k / 20)};
+    box.position = {0.55 * static_cast<double>(k % 5) - 1, 0.45 * static_cast<double>(row) - 0.6,
+                    0.25 + 0.5 * static_cast<double>(layer)};
     if (k == 59) box.position = {0, 0, 2};
     box.spin = {0, 0, static_cast<double>(k % 3)};
   }

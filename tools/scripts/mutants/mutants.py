@@ -3,11 +3,9 @@
   python3 mutants.py draw --seed S --count N        draws N places and writes the list; nothing is picked by hand
   python3 mutants.py run --tree DIR [--take K/N]    plants, builds and judges mutants that have no verdict yet
   python3 mutants.py table                          how many were caught, by what, and which were missed
-  python3 mutants.py --list FILE draw …             another list; FILE counts from the folder of this repository
 
-`draw` takes each token of src that can change with equal chance: operators, numbers, true and false, min and max,
-axes, break and continue. Comments, texts and lines of the preprocessor are left out. A mutant that does not compile is
-none and counts nowhere; one that changes nothing that anybody could see counts as missed.
+`draw` takes each token of src that can change with equal chance, but no comments, texts and lines of the preprocessor.
+A mutant that does not compile counts nowhere; one that changes nothing that anybody could see counts as missed.
 
 `run` edits DIR, a checkout of this repository made for the purpose (git worktree add DIR), and puts each file back. It
 builds target tumble in DIR/build/mutants and asks, until one notices: some short cases of `check`, the whole `check`,
@@ -15,8 +13,8 @@ builds target tumble in DIR/build/mutants and asks, until one notices: some shor
 not break without the mutant; --scenes is as many as two minutes of an idle machine judge. For a mutant that `check`
 passes, 1,000 scenes of `hunt --against` the program without the mutant say whether it moves a bit; where it moves none,
 100 scenes are hunted, for what threads, lanes and logs do. --take K/N runs every N-th mutant, --missed those again that
-were missed. Ctrl-C ends it at any time.
-The list and the verdicts are tests/mutants/mutants.jsonl, by number.
+were missed, --numbers N,N those alone. Ctrl-C ends it at any time. The list and the verdicts are
+tests/mutants/mutants.jsonl, by number; --list FILE, before the command, is another.
 """
 import argparse
 import hashlib
@@ -77,13 +75,11 @@ def places_in(file):
             # The layout of clang-format tells operators from templates, pointers and references.
             spaced = before.isspace() and after.isspace()
             choices = SWAPS.get(token, []) if spaced or token not in BINARY else []
-            if token == "!" and after in " =":
-                choices = []
+            choices = [] if token == "!" and after in " =" else choices
         elif kind == "word":
             choices = SWAPS.get(token, [])
-            if token in "xyz" and before not in ".":
-                choices = []
-            if token in ("min", "max") and text[match.end():match.end() + 1] not in "(<":
+            no_axis = token in "xyz" and before not in "."
+            if no_axis or (token in ("min", "max") and after not in "(<"):
                 choices = []
         else:
             continue
@@ -94,9 +90,8 @@ def places_in(file):
 
 
 def read_list():
-    """What the list is, and its mutants."""
     head, *rows = (json.loads(line) for line in list_file.read_text().splitlines())
-    return head, rows
+    return head, rows  # what the list is, and its mutants
 
 
 def write_list(head, rows):
@@ -106,8 +101,7 @@ def write_list(head, rows):
 
 
 def commit():
-    return subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short=12", "HEAD"], text=True, capture_output=True,
-                          check=True).stdout.strip()
+    return subprocess.check_output(["git", "-C", str(ROOT), "rev-parse", "--short=12", "HEAD"], text=True).strip()
 
 
 def draw(options):
@@ -235,8 +229,8 @@ class Judge:
             file.write_text(original)
 
 
+# 0 for a file that is compiled once; more for a header, by what includes it.
 def cost(file):
-    """0 for a file that is compiled once; more for a header, by what includes it."""
     return 0 if file.endswith(".cc") else 1 if file.startswith("src/kernels/") else 2
 
 
@@ -245,10 +239,9 @@ def run(options):
     judge.prepare()
     part, parts = (int(word) for word in options.take.split("/"))
     wanted = "missed" if options.missed else None
-    numbers = {int(word) for word in options.numbers.split(",")} if options.numbers else None
-    mine = [row for row in read_list()[1] if row["verdict"] == wanted and row["number"] % parts == part % parts]
-    if numbers is not None:
-        mine = [row for row in mine if row["number"] in numbers]
+    numbers = options.numbers.split(",") if options.numbers else None
+    mine = [row for row in read_list()[1] if row["verdict"] == wanted and row["number"] % parts == part % parts
+            and (numbers is None or str(row["number"]) in numbers)]
     for row in sorted(mine, key=lambda row: cost(row["file"])):
         begin = time.time()
         verdict, by, bits = judge.run(row)
@@ -283,25 +276,23 @@ def table(_):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--list", help="another list than tests/mutants/mutants.jsonl")
+    parser.add_argument("--list", default=list_file)
     commands = parser.add_subparsers(required=True)
     one = commands.add_parser("draw")
-    one.add_argument("--seed", type=int, required=True)
-    one.add_argument("--count", type=int, required=True)
+    for name in "--seed", "--count":
+        one.add_argument(name, type=int, required=True)
     one.set_defaults(act=draw)
     one = commands.add_parser("run")
     one.add_argument("--tree", required=True)
     one.add_argument("--take", default="0/1", metavar="K/N")
-    one.add_argument("--scenes", type=int, default=5000)
-    one.add_argument("--jobs", type=int, default=2)
-    one.add_argument("--missed", action="store_true", help="ask those again that were missed")
-    one.add_argument("--numbers", metavar="N,N", help="of these alone")
+    for name, usual in (("--scenes", 5000), ("--jobs", 2)):
+        one.add_argument(name, type=int, default=usual)
+    one.add_argument("--missed", action="store_true")
+    one.add_argument("--numbers", metavar="N,N")
     one.set_defaults(act=run)
     commands.add_parser("table").set_defaults(act=table)
     options = parser.parse_args()
-    if options.list:
-        global list_file
-        list_file = ROOT / options.list
+    globals()["list_file"] = ROOT / options.list
     options.act(options)
 
 
