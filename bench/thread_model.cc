@@ -4,12 +4,13 @@
 // data that another has written, that processors share caches and memory, and that they slow down when all are busy.
 // The estimate is therefore an upper bound for this way of splitting. With --measure the program measures instead
 // (thread_times.h).
-// Usage: thread_model [--measure] [SCENE...]   all scenes without. docs/performance.md, Threads, explains
-// the figures.
+// Usage: thread_model [--measure [--threads N,N,...] [--runs N] [--seconds S]] [SCENE...]   all scenes without.
+// docs/performance.md, Threads, explains the figures.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ using namespace tumble::bench;  // NOLINT(google-build-using-namespace)
 constexpr int kSteps = 10;   // that are timed
 constexpr int kRepeats = 3;  // of which the quickest counts
 constexpr unsigned kThreads[] = {1, 2, 4, 8, 16, 32};
+constexpr double kThreadsMost = 256;          // measured
 constexpr unsigned kShown = 8;                // threads of the table of phases
 constexpr std::size_t kDivisors[] = {1, 16};  // of the least sizes that are split, which suit two processors
 
@@ -157,11 +159,47 @@ void model(const Trial& trial, double pair_cost) {
   }
 }
 
+// Takes `name` and the word behind it from the words; null: `name` is not there.
+std::optional<std::string> take_option(std::vector<std::string>& words, const std::string& name) {
+  const auto at = std::ranges::find(words, name);
+  if (at == words.end()) return std::nullopt;
+  if (at + 1 == words.end()) fail(name + ": found nothing behind it, wanted a value");
+  std::string value = *(at + 1);
+  words.erase(at, at + 2);
+  return value;
+}
+
+double number_of(const std::string& text, const std::string& name, double most) {
+  char* end = nullptr;
+  const double x = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != 0 || !(x > 0) || x > most) {
+    fail(name + ": found \"" + text + "\", wanted a number above 0, at most " + std::to_string(most));
+  }
+  return x;
+}
+
+Timing take_timing(std::vector<std::string>& words) {
+  Timing timing;
+  if (const auto runs = take_option(words, "--runs")) timing.runs = static_cast<int>(number_of(*runs, "--runs", 1000));
+  if (const auto seconds = take_option(words, "--seconds")) timing.seconds = number_of(*seconds, "--seconds", 1000);
+  if (const auto threads = take_option(words, "--threads")) {
+    timing.threads.clear();
+    for (std::size_t at = 0; at <= threads->size();) {
+      const std::size_t comma = std::min(threads->find(',', at), threads->size());
+      timing.threads.push_back(
+          static_cast<unsigned>(number_of(threads->substr(at, comma - at), "--threads", kThreadsMost)));
+      at = comma + 1;
+    }
+  }
+  return timing;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<std::string> wanted(argv + 1, argv + argc);
   const bool measures = std::erase(wanted, "--measure") > 0;
+  const Timing timing = take_timing(wanted);
   for (const std::string& name : wanted) {
     if (std::ranges::none_of(trials(), [&](const Trial& trial) { return trial.name == name; })) {
       fail("found \"" + name + "\", wanted " + trial_names());
@@ -173,7 +211,7 @@ int main(int argc, char** argv) {
   for (const Trial& trial : trials()) {
     if (!wanted.empty() && std::ranges::find(wanted, trial.name) == wanted.end()) continue;
     if (measures) {
-      print_times(trial);
+      print_times(trial, timing);
     } else {
       model(trial, pair_cost);
     }

@@ -13,8 +13,6 @@
 namespace tumble::bench {
 namespace {
 
-constexpr int kRuns = 5;      // of which the median counts
-constexpr double kLeast = 2;  // s, of a run: as many steps as one thread takes in that time
 constexpr int kStepsMin = 20;
 
 double median(std::vector<double> values) {
@@ -32,49 +30,53 @@ double seconds_of(const sim::WorldState& state, unsigned threads, int steps) {
   return seconds_between(begin, Clock::now());
 }
 
-// Two processes of one thread, started together. Seconds of each.
-std::array<double, 2> seconds_side_by_side(const sim::WorldState& state, int steps) {
-  std::array<double, 2> seconds{};
-  std::array<std::array<int, 2>, 2> pipes{};
+// So many processes of one thread, started together. The gain over `alone`, s, that they reach together.
+double gain_side_by_side(const sim::WorldState& state, unsigned copies, int steps, double alone) {
+  std::vector<std::array<int, 2>> pipes(copies);
   for (auto& ends : pipes) {
-    if (pipe(ends.data()) != 0) fail("found no pipe for a second process");
+    if (pipe(ends.data()) != 0) fail("found no pipe for one more process");
     const pid_t child = fork();
-    if (child < 0) fail("found no room for a second process");
+    if (child < 0) fail("found no room for one more process");
     if (child == 0) {
       const double taken = seconds_of(state, 1, steps);
       _exit(write(ends[1], &taken, sizeof taken) == sizeof taken ? 0 : 1);
     }
     close(ends[1]);
   }
-  for (std::size_t k = 0; k < pipes.size(); ++k) {
-    if (read(pipes[k][0], &seconds[k], sizeof seconds[k]) != sizeof seconds[k]) fail("a second process ended early");
-    close(pipes[k][0]);
+  double gain = 0;
+  for (const auto& ends : pipes) {
+    double taken = 0;
+    if (read(ends[0], &taken, sizeof taken) != sizeof taken) fail("a copy of the program ended early");
+    gain += alone / taken;
+    close(ends[0]);
   }
   while (wait(nullptr) > 0) continue;
-  return seconds;
+  return gain;
 }
 
 }  // namespace
 
 void print_times_head() {
-  std::printf("%-14s %6s %10s %10s %8s %12s %8s\n", "scene", "steps", "1 thread", "2 threads", "gain", "2 copies gain",
-              "part");
+  std::printf("%-14s %7s %6s %10s %10s %8s %12s %8s\n", "scene", "threads", "steps", "1 thread", "so many", "gain",
+              "copies gain", "part");
 }
 
-void print_times(const Trial& trial) {
+void print_times(const Trial& trial, const Timing& timing) {
   const sim::WorldState state = warm_state(trial);
-  const int steps = std::max(kStepsMin, static_cast<int>(kLeast / (seconds_of(state, 1, kStepsMin) / kStepsMin)));
-  std::vector<double> one, two, copies;
-  for (int run = 0; run < kRuns; ++run) {
-    one.push_back(seconds_of(state, 1, steps));
-    two.push_back(seconds_of(state, 2, steps));
-    const std::array<double, 2> both = seconds_side_by_side(state, steps);
-    copies.push_back(one.back() / both[0] + one.back() / both[1]);
+  const double guess = seconds_of(state, 1, kStepsMin) / kStepsMin;
+  const int steps = std::max(kStepsMin, static_cast<int>(timing.seconds / guess));
+  for (const unsigned threads : timing.threads) {
+    std::vector<double> one, more, copies;
+    for (int run = 0; run < timing.runs; ++run) {
+      one.push_back(seconds_of(state, 1, steps));
+      more.push_back(seconds_of(state, threads, steps));
+      copies.push_back(gain_side_by_side(state, threads, steps, one.back()));
+    }
+    const double gain = median(one) / median(more), reached = median(copies);
+    std::printf("%-14s %7u %6d %8.3f s %8.3f s %8.2f %12.2f %8.2f\n", trial.name, threads, steps, median(one),
+                median(more), gain, reached, gain / reached);
+    std::fflush(stdout);
   }
-  const double gain = median(one) / median(two), reached = median(copies);
-  std::printf("%-14s %6d %8.3f s %8.3f s %8.2f %12.2f %8.2f\n", trial.name, steps, median(one), median(two), gain,
-              reached, gain / reached);
-  std::fflush(stdout);
 }
 
 }  // namespace tumble::bench

@@ -105,7 +105,7 @@ void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
   ContactMemory found;
   remember_contacts(scratch.manifolds, scratch.manifold_points, nullptr, found);
   ContactMemory buffer;
-  merge_contacts(state.contact_memory, found, buffer);
+  merge_contacts(state.contact_memory, found, nullptr, buffer);
 }
 
 }  // namespace

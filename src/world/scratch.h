@@ -177,9 +177,11 @@ struct FastContacts {
   std::vector<std::uint32_t> place;    ///< by row, in `bodies`; only rows of `bodies` are written
   std::vector<Approach> approaches;    ///< of the pairs, in this substep; written by find_fast_contacts
   ManifoldList found;                  ///< in this substep, ascending; written by find_fast_contacts
-  ContactMemory memory;                ///< of the last substep, or of the last step at first
+  bool remembers = false;              ///< whether `memory` is of the last substep; if not, the state's is
+  ContactMemory memory;                ///< written by bounce_fast_contacts
   ContactBatches batches;              ///< of one layer
   std::vector<std::uint32_t> members;  ///< of the layer
+  std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
   ContactMemory merged;                ///< memory of finish_motion
 
   [[nodiscard]] bool none() const { return pairs.empty(); }

@@ -67,7 +67,7 @@ class Builder {
     feed.add_rest(out_);
   }
 
-  // Builds the manifolds of those fast pairs that come together in the substep.
+  // Builds the manifolds of those of the pairs that come together in the substep.
   void build_fast(std::span<const ContactPair> pairs, std::span<const Approach> approaches) {
     FastPairTests tests(scratch_, pairs, approaches);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -291,9 +291,14 @@ void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_
   Builder(state, scratch, dt_s, state.contact_memory, first, out).build(first, end, hasher);
 }
 
-void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s,
-                          std::span<const Approach> approaches, ManifoldList& out) {
-  Builder(state, scratch, substep_s, scratch.fast.memory, 0, out).build_fast(scratch.fast.pairs, approaches);
+void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, std::size_t begin,
+                          std::size_t end, ManifoldList& out) {
+  const FastContacts& fast = scratch.fast;
+  const ContactMemory& memory = fast.remembers ? fast.memory : state.contact_memory;
+  const BodyIndex first = begin < end ? fast.pairs[begin].first : 0;
+  Builder(state, scratch, substep_s, memory, first, out)
+      .build_fast(std::span(fast.pairs).subspan(begin, end - begin),
+                  std::span(fast.approaches).subspan(begin, end - begin));
 }
 
 }  // namespace tumble::sim

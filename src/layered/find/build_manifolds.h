@@ -23,9 +23,9 @@ inline std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
 void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
                      ManifoldList& out, Hasher* hasher);
 
-/// Builds the manifolds of scratch.fast.pairs, from velocities and frames as they are. approaches: of these pairs in
-/// the substep; one that passes has no manifold.
-void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s,
-                          std::span<const Approach> approaches, ManifoldList& out);
+/// Builds the manifolds of the pairs [begin, end) of scratch.fast, from velocities and frames as they are. One that
+/// passes in the substep has no manifold.
+void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, std::size_t begin,
+                          std::size_t end, ManifoldList& out);
 
 }  // namespace tumble::sim

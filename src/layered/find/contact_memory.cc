@@ -12,25 +12,47 @@ std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t 
   return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
 }
 
-// A cursor over the contacts of a memory and their points.
-struct Cursor {
-  const ContactMemory& memory;
-  std::size_t at = 0, point = 0;
+std::size_t points_before(const ContactMemory& memory, std::size_t k) {
+  return std::accumulate(memory.count.begin(), memory.count.begin() + static_cast<std::ptrdiff_t>(k), std::size_t{0});
+}
 
-  [[nodiscard]] bool done() const { return at == memory.size(); }
-  void move_to(ContactMemory& to) {
-    to.a.push_back(memory.a[at]);
-    to.b.push_back(memory.b[at]);
-    to.count.push_back(memory.count[at]);
-    to.friction.push_back(memory.friction[at]);
-    to.twist.push_back(memory.twist[at]);
-    for (std::uint32_t k = 0; k < memory.count[at]; ++k, ++point) {
-      to.feature.push_back(memory.feature[point]);
-      to.impulse.push_back(memory.impulse[point]);
+// A cursor over the contacts [at, end) of a memory and their points.
+struct Cursor {
+  Cursor(const ContactMemory& of, std::size_t begin, std::size_t end_of)
+      : memory(of), at(begin), end(end_of), point(points_before(of, begin)) {}
+
+  [[nodiscard]] bool done() const { return at == end; }
+  // Copies the next contact to row `row` and its points to those from to_point on.
+  void copy_to(ContactMemory& to, std::size_t row, std::size_t& to_point) {
+    to.a[row] = memory.a[at];
+    to.b[row] = memory.b[at];
+    to.count[row] = memory.count[at];
+    to.friction.set(row, memory.friction[at]);
+    to.twist[row] = memory.twist[at];
+    for (std::uint32_t k = 0; k < memory.count[at]; ++k, ++point, ++to_point) {
+      to.feature[to_point] = memory.feature[point];
+      to.impulse[to_point] = memory.impulse[point];
     }
     ++at;
   }
+
+  const ContactMemory& memory;
+  std::size_t at, end, point;
 };
+
+// The first contact of a pair that is not before `key`.
+std::size_t place_of(const ContactMemory& memory, const std::pair<BodyIndex, BodyIndex>& key) {
+  std::size_t low = 0, high = memory.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (key_of(memory, middle) < key) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
 
 void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactMemory& memory, std::size_t at,
               std::size_t point) {
@@ -45,15 +67,15 @@ void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactM
   }
 }
 
-// Clears the columns and keeps their memory.
-void empty(ContactMemory& memory) {
-  memory.a.clear();
-  memory.b.clear();
-  memory.count.clear();
-  memory.friction.clear();
-  memory.twist.clear();
-  memory.feature.clear();
-  memory.impulse.clear();
+// Room for so many contacts and points.
+void make_room(ContactMemory& memory, std::size_t contacts, std::size_t points) {
+  memory.a.resize(contacts);
+  memory.b.resize(contacts);
+  memory.count.resize(contacts);
+  memory.friction.resize(contacts);
+  memory.twist.resize(contacts);
+  memory.feature.resize(points);
+  memory.impulse.resize(points);
 }
 
 }  // namespace
@@ -64,16 +86,9 @@ void remember_contacts(std::span<const Manifold> manifolds, std::span<const Mani
   for_ranges(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) memory.count[k] = manifolds[k].count;
   });
-  const std::size_t total = std::accumulate(memory.count.begin(), memory.count.end(), std::size_t{0});
-  memory.a.resize(manifolds.size());
-  memory.b.resize(manifolds.size());
-  memory.friction.resize(manifolds.size());
-  memory.twist.resize(manifolds.size());
-  memory.feature.resize(total);
-  memory.impulse.resize(total);
+  make_room(memory, manifolds.size(), points_before(memory, manifolds.size()));
   for_ranges(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
-    std::size_t point = 0;
-    for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
+    std::size_t point = points_before(memory, begin);
     for (std::size_t k = begin; k < end; ++k) {
       remember(manifolds[k], points, memory, k, point);
       point += memory.count[k];
@@ -81,14 +96,20 @@ void remember_contacts(std::span<const Manifold> manifolds, std::span<const Mani
   });
 }
 
-void merge_contacts(ContactMemory& memory, const ContactMemory& added, ContactMemory& buffer) {
+void merge_contacts(ContactMemory& memory, const ContactMemory& added, Workers* workers, ContactMemory& buffer) {
   ContactMemory& merged = buffer;
-  empty(merged);
-  Cursor old{memory}, fresh{added};
-  while (!old.done() || !fresh.done()) {
-    const bool take_old = fresh.done() || (!old.done() && key_of(memory, old.at) <= key_of(added, fresh.at));
-    (take_old ? old : fresh).move_to(merged);
-  }
+  make_room(merged, memory.size() + added.size(), memory.feature.size() + added.feature.size());
+  for_ranges(workers, memory.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    const auto place = [&](std::size_t k) {
+      return k < memory.size() ? place_of(added, key_of(memory, k)) : added.size();
+    };
+    Cursor old(memory, begin, end), fresh(added, begin == 0 ? 0 : place(begin), place(end));
+    std::size_t point = old.point + fresh.point;
+    for (std::size_t row = old.at + fresh.at; !old.done() || !fresh.done(); ++row) {
+      const bool take_old = fresh.done() || (!old.done() && key_of(memory, old.at) <= key_of(added, fresh.at));
+      (take_old ? old : fresh).copy_to(merged, row, point);
+    }
+  });
   std::swap(memory, merged);
 }
 

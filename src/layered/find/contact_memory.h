@@ -13,6 +13,6 @@ void remember_contacts(std::span<const Manifold> manifolds, std::span<const Mani
 
 /// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both. buffer: any; its memory is
 /// used.
-void merge_contacts(ContactMemory& memory, const ContactMemory& added, ContactMemory& buffer);
+void merge_contacts(ContactMemory& memory, const ContactMemory& added, Workers* workers, ContactMemory& buffer);
 
 }  // namespace tumble::sim

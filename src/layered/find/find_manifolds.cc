@@ -1,9 +1,11 @@
 #include "src/layered/find/find_manifolds.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "src/layered/find/build_manifolds.h"
+#include "src/layered/find/join_lists.h"
 #include "src/world/hash_on_the_way.h"
 #include "src/world/manifold_hashes.h"
 
@@ -54,28 +56,12 @@ void mark_held(const ContactMemory& memory, Workers* workers, std::vector<std::u
 // Joins the lists of all workers in order of bodies; copies those of all but the first.
 void join(Scratch& scratch, unsigned parts) {
   swap_first(scratch);
-  if (parts == 1) return;
-  std::size_t manifolds = scratch.manifolds.size(), points = scratch.manifold_points.size();
-  for (unsigned part = 1; part < parts; ++part) {
-    ManifoldList& list = scratch.manifolds_by[part];
-    list.manifolds_before = manifolds;
-    list.points_before = points;
-    manifolds += list.manifolds.size();
-    points += list.points.size();
-  }
   for (unsigned part = 1; part < parts; ++part) {
     const std::vector<ContactPair>& found = scratch.manifolds_by[part].fast_pairs;
     scratch.fast.pairs.insert(scratch.fast.pairs.end(), found.begin(), found.end());
   }
-  scratch.manifolds.resize(manifolds);
-  scratch.manifold_points.resize(points);
-  for_parts(scratch.workers, parts, [&](unsigned part) {
-    if (part == 0) return;
-    ManifoldList& list = scratch.manifolds_by[part];
-    for (Manifold& m : list.manifolds) m.first += static_cast<std::uint32_t>(list.points_before);
-    std::ranges::copy(list.manifolds, scratch.manifolds.begin() + static_cast<std::ptrdiff_t>(list.manifolds_before));
-    std::ranges::copy(list.points, scratch.manifold_points.begin() + static_cast<std::ptrdiff_t>(list.points_before));
-  });
+  join_lists(std::span(scratch.manifolds_by).subspan(1, parts - 1), scratch.workers, scratch.manifolds,
+             scratch.manifold_points);
 }
 
 void add_fast_pairs(const Scratch& scratch, Hasher& hasher) {

@@ -246,7 +246,7 @@ void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool hard) {
   std::iota(members.begin(), members.end(), 0U);
   const std::uint32_t start[] = {0, static_cast<std::uint32_t>(members.size())};
   const LayerList layer = {members, start, hard ? 0U : 1U, kFastBounceMin};
-  batch_layers(state, layer, found.manifolds, found.points, nullptr, scratch.fast.batches);
+  batch_layers(state, layer, found.manifolds, found.points, scratch.workers, scratch.fast.batches);
 }
 
 }  // namespace tumble::sim

@@ -13,24 +13,28 @@ namespace {
 constexpr int kVisits = 8;  // an impulse that falls short loses energy
 
 // Bodies that bounce have waited where they met, though their velocities moved the separations on.
-void put_back(ContactBatches& all) {
-  for (PointBatch& point : all.points) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (point.approach.of[lane] <= -kFastBounceMin) point.separation.of[lane] = 0;
+void put_back(Scratch& scratch) {
+  std::vector<PointBatch>& points = scratch.fast.batches.points;
+  for_ranges(scratch.workers, points.size(), kFastAPart / kLanes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        if (points[k].approach.of[lane] <= -kFastBounceMin) points[k].separation.of[lane] = 0;
+      }
     }
-  }
+  });
 }
 
 }  // namespace
 
 Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
-  put_back(scratch.fast.batches);
+  put_back(scratch);
   solve_fast_layer(scratch, Sweep::kRestitution, substep_s, kVisits);
   mark_pressed(scratch);
   store_fast_contacts(scratch);
   const ManifoldList& found = scratch.fast.found;
-  remember_contacts(found.manifolds, found.points, nullptr, scratch.fast.memory);
+  remember_contacts(found.manifolds, found.points, scratch.workers, scratch.fast.memory);
+  scratch.fast.remembers = true;
   return {};
 }
 

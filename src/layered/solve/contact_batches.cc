@@ -105,11 +105,13 @@ void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t 
 
 void store_fast_contacts(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
-  for (std::size_t k = 0; k < fast.found.manifolds.size(); ++k) {
-    Manifold& m = fast.found.manifolds[k];
-    store_contact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
-    forget_impact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
-  }
+  for_ranges(scratch.workers, fast.found.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Manifold& m = fast.found.manifolds[k];
+      store_contact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
+      forget_impact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
+    }
+  });
 }
 
 ContactWork all_contacts(Scratch& scratch, double substep_s) {

@@ -1,23 +1,25 @@
 #include "src/layered/solve/fast_bodies.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "src/kernels/contacts/contact_batch.h"
 
 namespace tumble::sim {
 namespace {
 
-void list_rows(const WorldState& state, FastContacts& fast) {
-  fast.place.resize(state.bodies.size());
-  std::vector<BodyIndex>& rows = fast.members;
-  rows.clear();
-  for (const auto& [a, b] : fast.pairs) {
-    rows.push_back(a);
-    if (b != kGround) rows.push_back(b);
-  }
-  std::ranges::sort(rows);
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+FastBody fast_body_of(const Bodies& bodies, BodyIndex i) {
+  FastBody body;
+  body.row = i;
+  body.position = bodies.position[i];
+  body.orientation = bodies.orientation[i];
+  body.velocity = bodies.velocity[i];
+  body.spin = bodies.spin[i];
+  return body;
 }
+
+// Sets a number that others set at the same time.
+void say(bool& fact, bool is) { shared::write(fact, is); }
 
 // A contact that presses, and whether it bounces.
 struct Pressing {
@@ -34,24 +36,27 @@ void slow_approaches(ContactBatches& all, const ContactBatch& batch, unsigned la
   }
 }
 
-// Calls visit(Pressing) for the contacts with an impulse.
+// Calls visit(Pressing) for the contacts with an impulse, by several workers at a time.
 template <class Visit>
-void for_pressing(ContactBatches& all, Visit visit) {
-  for (std::size_t at = 0; at < all.batches.size(); ++at) {
-    const ContactBatch& batch = all.batches[at];
-    for (unsigned lane = 0; lane < batch.used; ++lane) {
-      bool presses = false, fast = false;
-      for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-        const PointBatch& point = all.points[k];
-        if (point.peak.of[lane] == 0) continue;
-        presses = true;
-        fast |= point.approach.of[lane] <= -kFastBounceMin;
+void for_pressing(Scratch& scratch, Visit visit) {
+  ContactBatches& all = scratch.fast.batches;
+  for_fast_batches(scratch, 0, [&](const ContactWork&, std::size_t begin, std::size_t end) {
+    for (std::size_t at = begin; at < end; ++at) {
+      const ContactBatch& batch = all.batches[at];
+      for (unsigned lane = 0; lane < batch.used; ++lane) {
+        bool presses = false, fast = false;
+        for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+          const PointBatch& point = all.points[k];
+          if (point.peak.of[lane] == 0) continue;
+          presses = true;
+          fast |= point.approach.of[lane] <= -kFastBounceMin;
+        }
+        const bool bounces = fast && batch.restitution.of[lane] > 0;
+        if (!bounces) slow_approaches(all, batch, lane);
+        if (presses) visit(Pressing{all.sides[at].a[lane], all.sides[at].b[lane], bounces});
       }
-      const bool bounces = fast && batch.restitution.of[lane] > 0;
-      if (!bounces) slow_approaches(all, batch, lane);
-      if (presses) visit(Pressing{all.sides[at].a[lane], all.sides[at].b[lane], bounces});
     }
-  }
+  });
 }
 
 FastBody* body_of(FastContacts& fast, std::uint32_t row) {
@@ -66,56 +71,78 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch) {
   fast.batches.points.clear();
   fast.batches.order.clear();
   fast.bodies.clear();  // their rows may be gone
+  fast.remembers = false;
   if (fast.none()) return;
   const Bodies& bodies = state.bodies;
-  list_rows(state, fast);
-  for (const BodyIndex i : fast.members) {
-    fast.place[i] = static_cast<std::uint32_t>(fast.bodies.size());
-    FastBody& body = fast.bodies.emplace_back();
-    body.row = i;
-    body.position = bodies.position[i];
-    body.orientation = bodies.orientation[i];
-    body.velocity = bodies.velocity[i];
-    body.spin = bodies.spin[i];
-    if (bodies.moves(i) && scratch.in_contact[i] == 0) scratch.in_contact[i] = kInFastPair;
-  }
-  fast.memory = state.contact_memory;
+  const std::size_t n = bodies.size();
+  fast.place.resize(n);
+  fast.marked.resize(n);
+  std::vector<std::uint32_t>& before = fast.members;  // bodies that the workers before list
+  const unsigned parts = part_count(scratch.workers, n, kBodiesAPart);
+  before.assign(parts + 1, 0);
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    const Worker::Share share = worker.share(n), pairs = worker.share(fast.pairs.size());
+    std::fill(fast.marked.begin() + static_cast<std::ptrdiff_t>(share.begin),
+              fast.marked.begin() + static_cast<std::ptrdiff_t>(share.end), std::uint8_t{0});
+    worker.meet();
+    for (std::size_t k = pairs.begin; k < pairs.end; ++k) {
+      mark(fast.marked[fast.pairs[k].first]);
+      if (fast.pairs[k].second != kGround) mark(fast.marked[fast.pairs[k].second]);
+    }
+    worker.meet();
+    std::uint32_t count = 0;
+    for (std::size_t i = share.begin; i < share.end; ++i) count += fast.marked[i];
+    before[worker.part + 1] = count;
+    worker.meet();
+    if (worker.first()) {
+      std::partial_sum(before.begin(), before.end(), before.begin());
+      fast.bodies.resize(before.back());
+    }
+    worker.meet();
+    std::uint32_t at = before[worker.part];
+    for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
+      if (fast.marked[i] == 0) continue;
+      fast.bodies[at] = fast_body_of(bodies, i);
+      fast.place[i] = at++;
+      if (bodies.moves(i) && scratch.in_contact[i] == 0) scratch.in_contact[i] = kInFastPair;
+    }
+  });
 }
 
 void mark_pressed(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
-  for_pressing(fast.batches, [&](const Pressing& contact) {
+  for_pressing(scratch, [&](const Pressing& contact) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
-      if (body != nullptr) body->pressed = true;
+      if (body != nullptr) say(body->pressed, true);
     }
   });
 }
 
 void find_flying(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
-  for (FastBody& body : fast.bodies) {
+  for_fast_bodies(scratch, [](FastBody& body) {
     body.flying = true;
     body.waits = false;
-  }
-  for_pressing(fast.batches, [&](const Pressing& contact) {
+  });
+  for_pressing(scratch, [&](const Pressing& contact) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
       if (body == nullptr) continue;
-      body->flying = false;
-      body->waits |= contact.bounces;
+      say(body->flying, false);
+      if (contact.bounces) say(body->waits, true);
     }
   });
 }
 
 void release_untouched(WorldState& state, Scratch& scratch) {
   Bodies& bodies = state.bodies;
-  for (const FastBody& body : scratch.fast.bodies) {
-    if (body.pressed || scratch.in_contact[body.row] != kInFastPair) continue;
+  for_fast_bodies(scratch, [&](const FastBody& body) {
+    if (body.pressed || scratch.in_contact[body.row] != kInFastPair) return;
     scratch.in_contact[body.row] = 0;
     bodies.position.set(body.row, body.position);
     bodies.orientation.set(body.row, body.orientation);
     bodies.velocity.set(body.row, body.velocity);
     bodies.spin.set(body.row, body.spin);
-  }
+  });
 }
 
 }  // namespace tumble::sim

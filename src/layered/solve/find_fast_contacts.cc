@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/build_manifolds.h"
 #include "src/layered/find/fast_pairs.h"
+#include "src/layered/find/join_lists.h"
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/math/grid.h"
 #include "src/world/free_flight.h"
@@ -32,25 +35,37 @@ void renew_body(WorldState& state, Scratch& scratch, BodyIndex i, double substep
   scratch.turning[i] = length(now.spin) * length(frame.half_extent) * substep_s;
 }
 
+// Gives all bodies the motion and the place of now, by several workers at a time.
+void renew_bodies(WorldState& state, Scratch& scratch, double substep_s) {
+  for_fast_bodies(scratch, [&](const FastBody& body) {
+    if (scratch.in_contact[body.row] != 0) renew_body(state, scratch, body.row, substep_s);
+  });
+}
+
 // Finds for each body the time of its first meeting, s; 0 for a body that touches another one of a fast pair.
 void find_meetings(Scratch& scratch, double substep_s) {
   FastContacts& fast = scratch.fast;
-  for (FastBody& body : fast.bodies) body.flown_s = substep_s;
   const auto meets = [&](BodyIndex i, double time_s) {
-    if (i == kGround) return;
-    double& flown_s = fast.bodies[fast.place[i]].flown_s;
-    flown_s = std::min(flown_s, time_s);
+    if (i != kGround) shared::lower(fast.bodies[fast.place[i]].flown_s, time_s);
   };
-  for (std::size_t k = 0; k < fast.pairs.size(); ++k) {
-    const Approach& approach = fast.approaches[k];
-    if (approach.kind != Approach::Kind::kMeeting && approach.kind != Approach::Kind::kTouching) continue;
-    meets(fast.pairs[k].first, approach.time_s);
-    meets(fast.pairs[k].second, approach.time_s);
-  }
-  for (FastBody& body : fast.bodies) {
-    const bool free = scratch.in_contact[body.row] == kInFastPair && body.flown_s < substep_s;
-    if (!free) body.flown_s = 0;
-  }
+  const unsigned parts = part_count(scratch.workers, fast.pairs.size(), kFastAPart);
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    const Worker::Share bodies = worker.share(fast.bodies.size()), pairs = worker.share(fast.pairs.size());
+    for (std::size_t k = bodies.begin; k < bodies.end; ++k) fast.bodies[k].flown_s = substep_s;
+    worker.meet();
+    for (std::size_t k = pairs.begin; k < pairs.end; ++k) {
+      const Approach& approach = fast.approaches[k];
+      if (approach.kind != Approach::Kind::kMeeting && approach.kind != Approach::Kind::kTouching) continue;
+      meets(fast.pairs[k].first, approach.time_s);
+      meets(fast.pairs[k].second, approach.time_s);
+    }
+    worker.meet();
+    for (std::size_t k = bodies.begin; k < bodies.end; ++k) {
+      FastBody& body = fast.bodies[k];
+      const bool free = scratch.in_contact[body.row] == kInFastPair && body.flown_s < substep_s;
+      if (!free) body.flown_s = 0;
+    }
+  });
 }
 
 // Moves a body in free flight to its first meeting.
@@ -112,8 +127,23 @@ class PointsOfLane {
   double acceleration_;
 };
 
-void separate_bounces(ContactBatches& all, double substep_s) {
-  for (const ContactBatch& batch : all.batches) {
+// Several workers find ranges of the pairs, each into a list of its own.
+void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep_s) {
+  FastContacts& fast = scratch.fast;
+  const std::size_t n = fast.pairs.size();
+  const unsigned parts = part_count(scratch.workers, n, kFastAPart);
+  std::vector<ManifoldList>& lists = scratch.manifolds_by;  // find_manifolds is done with them
+  if (lists.size() < parts) lists.resize(parts);
+  for_parts(scratch.workers, parts, [&](unsigned part) {
+    build_fast_manifolds(state, scratch, substep_s, n * part / parts, n * (part + 1) / parts,
+                         part == 0 ? fast.found : lists[part]);
+  });
+  join_lists(std::span(lists).subspan(1, parts - 1), scratch.workers, fast.found.manifolds, fast.found.points);
+}
+
+void separate_bounces(ContactBatches& all, std::size_t begin, std::size_t end, double substep_s) {
+  for (std::size_t k = begin; k < end; ++k) {
+    const ContactBatch& batch = all.batches[k];
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       if (batch.restitution.of[lane] > 0) PointsOfLane(all, batch, lane).separate_bounce(substep_s);
     }
@@ -131,24 +161,20 @@ bool any_slender(const Bodies& bodies, const FastContacts& fast) {
 Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
   FastContacts& fast = scratch.fast;
-  const auto renew_bodies = [&] {
-    for (const FastBody& body : fast.bodies) {
-      if (scratch.in_contact[body.row] != 0) renew_body(state, scratch, body.row, substep_s);
-    }
-  };
-  renew_bodies();
+  renew_bodies(state, scratch, substep_s);
   find_approaches(state, scratch, substep_s, fast.approaches);
   find_meetings(scratch, substep_s);
-  for (const FastBody& body : fast.bodies) {
+  for_fast_bodies(scratch, [&](const FastBody& body) {
     if (body.flown_s > 0) fly(state, scratch, body);
-  }
-  renew_bodies();
-  build_fast_manifolds(state, scratch, substep_s, fast.approaches, fast.found);
+  });
+  renew_bodies(state, scratch, substep_s);
+  find_manifolds_of(state, scratch, substep_s);
   batch_fast_contacts(state, scratch, any_slender(state.bodies, scratch.fast));
-  const ContactWork work = fast_contacts(scratch, substep_s);
-  kernels(scratch.lanes).contacts.prepare(work);
-  mark_bounces(work);
-  separate_bounces(fast.batches, substep_s);
+  for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t begin, std::size_t end) {
+    kernels(scratch.lanes).contacts.prepare(part);
+    mark_bounces(part);
+    separate_bounces(fast.batches, begin, end, substep_s);
+  });
   return {};
 }
 

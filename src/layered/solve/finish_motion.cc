@@ -22,14 +22,24 @@ void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s
 void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
   FastContacts& fast = scratch.fast;
   if (fast.none()) return;
-  merge_contacts(memory, fast.memory, fast.merged);
+  merge_contacts(memory, fast.memory, scratch.workers, fast.merged);
+  const std::size_t manifolds = scratch.manifolds.size(), layered = scratch.layered.size();
   const auto points = static_cast<std::uint32_t>(scratch.manifold_points.size());
-  for (const Manifold& m : fast.found.manifolds) {
-    scratch.layered.push_back(static_cast<std::uint32_t>(scratch.manifolds.size()));
-    scratch.manifolds.push_back(m);
-    scratch.manifolds.back().first += points;
-  }
-  scratch.manifold_points.insert(scratch.manifold_points.end(), fast.found.points.begin(), fast.found.points.end());
+  scratch.manifolds.resize(manifolds + fast.found.manifolds.size());
+  scratch.layered.resize(layered + fast.found.manifolds.size());
+  scratch.manifold_points.resize(points + fast.found.points.size());
+  const std::size_t n = fast.found.manifolds.size();
+  for_ranges(scratch.workers, n, kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      scratch.layered[layered + k] = static_cast<std::uint32_t>(manifolds + k);
+      Manifold& m = scratch.manifolds[manifolds + k];
+      m = fast.found.manifolds[k];
+      for (std::uint32_t at = m.first; at < m.first + m.count; ++at) {
+        scratch.manifold_points[points + at] = fast.found.points[at];
+      }
+      m.first += points;
+    }
+  });
 }
 
 void add_memory(const ContactMemory& memory, Hasher& hasher) {

@@ -149,8 +149,10 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
                     });
   numbers.pass_on();
   if (scratch.fast.none()) return {};
-  kernels(scratch.lanes).contacts.move_on(fast_contacts(scratch, substep_s));
-  kernels(scratch.lanes).contacts.renew(fast_contacts(scratch, substep_s));
+  for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t, std::size_t) {
+    kernels(scratch.lanes).contacts.move_on(part);
+    kernels(scratch.lanes).contacts.renew(part);
+  });
   if (hasher != nullptr) add_fast_batches(scratch, *hasher);
   return {};
 }
