@@ -39,14 +39,15 @@ constexpr std::size_t kDivisors[] = {1, 16};  // of the least sizes that are spl
 struct Visit {
   std::size_t phase = 0;
   double serial = 0;
-  std::vector<std::vector<double>> rounds;
+  std::vector<TimedParts::Round> rounds;
 
   /// Merges another run: the longer time was disturbed.
   void take_least(const Visit& other) {
     serial = std::min(serial, other.serial);
     for (std::size_t k = 0; k < rounds.size(); ++k) {
-      for (std::size_t part = 0; part < rounds[k].size(); ++part) {
-        rounds[k][part] = std::min(rounds[k][part], other.rounds[k][part]);
+      rounds[k].path = std::min(rounds[k].path, other.rounds[k].path);
+      for (std::size_t part = 0; part < rounds[k].parts.size(); ++part) {
+        rounds[k].parts[part] = std::min(rounds[k].parts[part], other.rounds[k].parts[part]);
       }
     }
   }
@@ -58,7 +59,7 @@ class Visits : public sim::Observer {
   void phase_done(std::uint32_t /*substep*/, std::size_t phase, const sim::World& /*world*/) override {
     const double all = seconds_between(before_, Clock::now());
     TimedParts::Rounds rounds = parts_.take();
-    all_.push_back({phase, all - rounds.inside_s, std::move(rounds.seconds)});
+    all_.push_back({phase, all - rounds.inside_s, std::move(rounds.all)});
     before_ = Clock::now();
   }
   std::vector<Visit>& all() { return all_; }
@@ -72,16 +73,16 @@ class Visits : public sim::Observer {
 /// Times of a phase, or of the whole step, over all timed steps, s.
 struct Share {
   double serial = 0;
-  double sum = 0, longest = 0, mean = 0;  ///< of all parts; of the longest of each round; of the mean of each
+  double sum = 0, longest = 0, mean = 0;  ///< of all parts; until each round is done; of the mean part of each
   double rounds = 0;
 
   void add(const Visit& visit) {
     serial += visit.serial;
-    for (const std::vector<double>& round : visit.rounds) {
-      const double all = std::accumulate(round.begin(), round.end(), 0.0);
+    for (const TimedParts::Round& round : visit.rounds) {
+      const double all = std::accumulate(round.parts.begin(), round.parts.end(), 0.0);
       sum += all;
-      mean += all / static_cast<double>(round.size());
-      longest += *std::ranges::max_element(round);
+      mean += all / static_cast<double>(round.parts.size());
+      longest += round.path;
       ++rounds;
     }
   }
@@ -98,11 +99,11 @@ Share share_of(const std::vector<Visit>& visits, std::optional<std::size_t> phas
   return share;
 }
 
-std::vector<Visit> time_parts(const sim::WorldState& state, unsigned threads, std::size_t divisor) {
+std::vector<Visit> time_parts(const sim::WorldState& state, unsigned threads, std::size_t divisor, double post_s) {
   std::vector<Visit> least;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     sim::World world = world_from(state);
-    TimedParts parts(threads, divisor);
+    TimedParts parts(threads, divisor, post_s);
     world.use(&parts);
     make_step(world);  // not timed: memory is asked for here
     parts.take();
@@ -147,7 +148,7 @@ void model(const Trial& trial, double pair_cost) {
     for (const unsigned threads : kThreads) {
       // Counters pass from processor to processor, so each thread more waits for its turn.
       const double round_cost = pair_cost * (threads - 1);
-      const std::vector<Visit> visits = time_parts(state, threads, divisor);
+      const std::vector<Visit> visits = time_parts(state, threads, divisor, pair_cost / 2);
       const Share whole = share_of(visits);
       const double alone = whole.alone(), together = whole.together(round_cost);
       std::printf("  %7u %9.3f %9.3f %9.2f %12.2f %7.0f%% %9.2f %8.1f\n", threads, alone * 1e3 / kSteps,

@@ -27,6 +27,13 @@ class Workers {
   /// Called by the task of a run, as often by each of its parts: returns when all parts have called, and then sees all
   /// that they have written. Returns whether one of them passed true.
   virtual bool meet(unsigned part, bool any) = 0;
+
+  /// Called by the task of a run: says how far its part has come. Numbers of a part ascend within a run, from 1 on.
+  virtual void post(unsigned part, std::uint32_t number) = 0;
+
+  /// Called by the task of a run: returns when part `other` has posted `number` or more, and then sees all that it had
+  /// written. Returns its last number.
+  virtual std::uint32_t await(unsigned part, unsigned other, std::uint32_t number) = 0;
 };
 
 /// Items that a part must have for a split to pay: bodies, batches of eight manifolds, manifolds.
@@ -83,6 +90,10 @@ struct Worker {
 
   /// Waits for the others; whether one of them passed true.
   bool meet(bool any = false) const { return parts == 1 ? any : all->meet(part, any); }
+  /// Tells the others how far this worker has come.
+  void post(std::uint32_t number) const { all->post(part, number); }
+  /// Waits until another worker has come as far; its last number.
+  std::uint32_t await(unsigned other, std::uint32_t number) const { return all->await(part, other, number); }
   [[nodiscard]] bool first() const { return part == 0; }
 
   /// A range of items.

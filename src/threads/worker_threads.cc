@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kPolls = 4000;  // some 50 µs: longer than most work between two splits
 
+constexpr int kEagerPolls = 200;  // without a pause: a neighbour's post mostly comes within its next batch
+
 constexpr std::chrono::microseconds kNap(20);
 
 void pause_processor() {
@@ -31,7 +33,7 @@ constexpr bool has_arrived(std::uint32_t at, std::uint32_t meeting) {
 
 // With more threads than processors a polling thread would take the time of a working one.
 WorkerThreads::WorkerThreads(unsigned count, Split split)
-    : split_(split), polls_(count <= std::thread::hardware_concurrency() ? kPolls : 0), places_(count) {
+    : split_(split), polls_(count <= std::thread::hardware_concurrency() ? kPolls : 0), places_(count), posts_(count) {
   SIM_CHECK(count >= 1, count);
   threads_.reserve(count - 1);
   try {
@@ -53,6 +55,7 @@ void WorkerThreads::run(unsigned parts, void (*task)(void* context, unsigned par
   task_ = task;
   context_ = context;
   parts_ = parts;
+  for (unsigned part = 0; part < parts; ++part) posts_[part].at.store(0, std::memory_order_relaxed);
   busy_.store(static_cast<unsigned>(threads_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
@@ -80,6 +83,21 @@ bool WorkerThreads::meet(unsigned part, bool any) {
 void WorkerThreads::wait_for(const Place& place, std::uint32_t meeting) const {
   for (int k = 0; k < polls_ && !has_arrived(place.at.load(std::memory_order_acquire), meeting); ++k) pause_processor();
   while (!has_arrived(place.at.load(std::memory_order_acquire), meeting)) std::this_thread::sleep_for(kNap);
+}
+
+void WorkerThreads::post(unsigned part, std::uint32_t number) {
+  posts_[part].at.store(number, std::memory_order_release);
+}
+
+std::uint32_t WorkerThreads::await(unsigned /*part*/, unsigned other, std::uint32_t number) {
+  const std::atomic<std::uint32_t>& post = posts_[other].at;
+  std::uint32_t last = post.load(std::memory_order_acquire);
+  for (int k = 0; last < number && k < polls_; ++k) {
+    if (k >= kEagerPolls) pause_processor();
+    last = post.load(std::memory_order_acquire);
+  }
+  for (; last < number; last = post.load(std::memory_order_acquire)) std::this_thread::sleep_for(kNap);
+  return last;
 }
 
 void WorkerThreads::work(unsigned worker) {

@@ -27,6 +27,8 @@ class WorkerThreads : public Workers {
   [[nodiscard]] std::size_t worth(std::size_t least) const override { return split_ == Split::kEverything ? 1 : least; }
   void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) override;
   bool meet(unsigned part, bool any) override;
+  void post(unsigned part, std::uint32_t number) override;
+  std::uint32_t await(unsigned part, unsigned other, std::uint32_t number) override;
 
  private:
   // Where a worker has arrived: the number of its last meeting, and what it said at that one and the one before. A line
@@ -49,6 +51,7 @@ class WorkerThreads : public Workers {
   alignas(64) std::atomic<std::uint32_t> round_ = 0;
   alignas(64) std::atomic<unsigned> busy_ = 0;  // threads that have not finished the round
   std::vector<Place> places_;                   // by part
+  std::vector<Place> posts_;                    // by part: the last number that it has posted in this round
   std::vector<std::thread> threads_;
 };
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "src/kernels/contacts/contact_batch.h"
 #include "tumble/sim/ids.h"
 #include "tumble/sim/manifold.h"
 #include "tumble/sim/vec.h"
@@ -162,6 +165,36 @@ struct VisitScratch {
     std::uint32_t stirred = 0;  ///< number of the last visit that may have moved one of the layer's bodies
   };
   std::vector<std::vector<Layer>> layers;  ///< by worker and layer; all workers note alike
+};
+
+/// Which worker solves which batches in the sweeps of a step (share_sweeps.h). A piece is what a worker has of a layer;
+/// pieces are numbered layer by layer, worker by worker.
+struct SweepShares {
+  unsigned parts = 1;                 ///< workers; with 1 the rest is old
+  std::vector<std::uint32_t> order;   ///< batches, piece by piece
+  std::vector<std::uint32_t> first;   ///< by piece, in `order`; one more at the end
+  std::vector<std::uint64_t> users;   ///< by body: a bit for each worker whose batches have contacts of it
+  std::vector<std::uint64_t> heirs;   ///< by piece: a bit for each other worker who adds up outcomes of the piece
+  std::uint32_t rows = 0;             ///< of solver_bodies, before those of copies
+  std::vector<std::uint32_t> copies;  ///< by copy: its body. The first user of a body has the body's own row
+  std::vector<std::uint32_t> copies_before;  ///< by body
+  std::vector<BodyOutcomes> touched;         ///< piece by piece: bodies of the layer that the worker uses
+  std::vector<std::uint32_t> touched_first;  ///< by piece, in `touched`; one more at the end
+  std::vector<std::uint32_t> counts;         ///< by worker, copies before its range of bodies
+
+  [[nodiscard]] std::span<const std::uint32_t> batches_of(std::size_t layer, unsigned worker) const {
+    return piece(order, first, layer * parts + worker);
+  }
+  [[nodiscard]] std::span<const BodyOutcomes> touched_of(std::size_t layer, unsigned worker) const {
+    return piece(touched, touched_first, layer * parts + worker);
+  }
+
+ private:
+  template <class Item>
+  static std::span<const Item> piece(const std::vector<Item>& items, const std::vector<std::uint32_t>& begin,
+                                     std::size_t k) {
+    return std::span(items).subspan(begin[k], begin[k + 1] - begin[k]);
+  }
 };
 
 /// Memory of update_sleeping.

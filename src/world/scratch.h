@@ -251,6 +251,7 @@ struct Scratch {
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;
   VisitScratch visits;      ///< written by prepare_manifolds and every sweep
+  SweepShares shares;       ///< written by prepare_manifolds
   OverlapScratch overlaps;  ///< written by part_overlaps
   FastContacts fast;
   LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time

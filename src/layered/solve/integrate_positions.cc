@@ -5,6 +5,7 @@
 
 #include "src/base/text.h"
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/order/share_sweeps.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
@@ -137,6 +138,7 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
   // impulse is several times smaller, and sweeps with the old response would diverge.
+  renew_copies(scratch);
   const bool renews = has_hard(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
   const auto move_points = [&](std::size_t begin, std::size_t end) {

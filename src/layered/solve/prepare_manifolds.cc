@@ -3,6 +3,7 @@
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/layer_reach.h"
+#include "src/layered/order/share_sweeps.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
@@ -69,6 +70,7 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   prepare_bodies(state, scratch, hasher);
   batch_contacts(state, scratch);
   find_layer_reach(scratch);
+  share_sweeps(state, scratch);
   if (hasher != nullptr) add_places(scratch, *hasher);
   const ContactWork work = all_contacts(scratch, dt_s);
   const auto prepare = [&](std::size_t begin, std::size_t end) {
