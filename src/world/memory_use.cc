@@ -46,7 +46,7 @@ std::size_t held(const ContactBatches& b) {
                         b.touched_end, b.counts, b.entries, b.outcomes);
 }
 std::size_t held(const FastContacts& f) {
-  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.merged);
+  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.merged);
 }
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
 
@@ -77,15 +77,20 @@ void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
 void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   const LevelScratch& l = s.levels;
   const WeightScratch& w = s.weights;
+  const SweepShares& shares = s.shares;
   parts.push_back(
       {"manifolds", GrowsWith::kContacts, held_by(s.manifolds, s.manifold_points) + held_inside(s.manifolds_by)});
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});
-  parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast)});
+  parts.push_back({"batches", GrowsWith::kContacts,
+                   held_by(s.contact_batches, s.fast, shares.order, shares.first, shares.heirs, shares.copies,
+                           shares.touched, shares.touched_first, shares.counts) +
+                       held_inside(shares.places)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
-                           s.visits.reach_of_body, s.visits.reach, s.overlaps.velocity, s.overlaps.spin, s.energies) +
+                           s.visits.reach_of_body, s.visits.reach, s.overlaps.velocity, s.overlaps.spin, s.energies,
+                           shares.users, shares.copies_before) +
                        held_inside(s.visits.layers)});
   parts.push_back(
       {"levels, islands and sleep", GrowsWith::kBodies,

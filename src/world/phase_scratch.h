@@ -181,6 +181,7 @@ struct SweepShares {
   std::vector<BodyOutcomes> touched;         ///< piece by piece: bodies of the layer that the worker uses
   std::vector<std::uint32_t> touched_first;  ///< by piece, in `touched`; one more at the end
   std::vector<std::uint32_t> counts;         ///< by worker, copies before its range of bodies
+  std::vector<std::vector<std::pair<double, std::uint32_t>>> places;  ///< by worker: where the batches of a layer are
 
   [[nodiscard]] std::span<const std::uint32_t> batches_of(std::size_t layer, unsigned worker) const {
     return piece(order, first, layer * parts + worker);

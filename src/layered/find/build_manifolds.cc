@@ -291,14 +291,9 @@ void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_
   Builder(state, scratch, dt_s, state.contact_memory, first, out).build(first, end, hasher);
 }
 
-void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, std::size_t begin,
-                          std::size_t end, ManifoldList& out) {
-  const FastContacts& fast = scratch.fast;
-  const ContactMemory& memory = fast.remembers ? fast.memory : state.contact_memory;
-  const BodyIndex first = begin < end ? fast.pairs[begin].first : 0;
-  Builder(state, scratch, substep_s, memory, first, out)
-      .build_fast(std::span(fast.pairs).subspan(begin, end - begin),
-                  std::span(fast.approaches).subspan(begin, end - begin));
+void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, const FastRange& of,
+                          ManifoldList& out) {
+  Builder(state, scratch, substep_s, of.memory, of.pairs.front().first, out).build_fast(of.pairs, of.approaches);
 }
 
 }  // namespace tumble::sim

@@ -23,9 +23,15 @@ inline std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
 void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
                      ManifoldList& out, Hasher* hasher);
 
-/// Builds the manifolds of the pairs [begin, end) of scratch.fast, from velocities and frames as they are. One that
-/// passes in the substep has no manifold.
-void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, std::size_t begin,
-                          std::size_t end, ManifoldList& out);
+/// Some fast pairs, one or more, ascending.
+struct FastRange {
+  std::span<const ContactPair> pairs;
+  std::span<const Approach> approaches;  ///< of these pairs in the substep
+  const ContactMemory& memory;           ///< of the last substep, or of the last step
+};
+
+/// Builds the manifolds of fast pairs, from velocities and frames as they are. A pair that passes has no manifold.
+void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, const FastRange& of,
+                          ManifoldList& out);
 
 }  // namespace tumble::sim

@@ -50,7 +50,8 @@ class SharesBuilder {
         worker_(worker),
         axis_(axis),
         begin_(layer_from(worker.part)),
-        end_(worker.part + 1 == worker.parts ? layers() : layer_from(worker.part + 1)) {}
+        end_(worker.part + 1 == worker.parts ? layers() : layer_from(worker.part + 1)),
+        places_(scratch.shares.places[worker.part]) {}
 
   void build() {
     const Worker::Share rows = worker_.share(bodies_.size());
@@ -210,7 +211,7 @@ class SharesBuilder {
   Worker worker_;
   int axis_;
   std::uint32_t begin_, end_;  // layers
-  std::vector<std::pair<double, std::uint32_t>> places_;
+  std::vector<std::pair<double, std::uint32_t>>& places_;
 };
 
 void copy_body(Scratch& scratch, std::size_t k) {
@@ -240,6 +241,7 @@ void share_sweeps(const WorldState& state, Scratch& scratch) {
   shares.heirs.resize(pieces);
   shares.touched_first.resize(pieces + 1);
   all.outcomes.resize(all.batches.size() * kLanes * 2);  // workers are not all in one layer
+  if (shares.places.size() < shares.parts) shares.places.resize(shares.parts);
   const int axis = axis_to_cut(state.bodies, all);
   work_together(scratch.workers, shares.parts,
                 [&](const Worker& worker) { SharesBuilder(state, scratch, worker, axis).build(); });

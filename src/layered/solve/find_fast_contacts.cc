@@ -134,9 +134,13 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
   const unsigned parts = part_count(scratch.workers, n, kFastAPart);
   std::vector<ManifoldList>& lists = scratch.manifolds_by;  // find_manifolds is done with them
   if (lists.size() < parts) lists.resize(parts);
+  const ContactMemory& memory = fast.remembers ? fast.memory : state.contact_memory;
   for_parts(scratch.workers, parts, [&](unsigned part) {
-    build_fast_manifolds(state, scratch, substep_s, n * part / parts, n * (part + 1) / parts,
-                         part == 0 ? fast.found : lists[part]);
+    const std::size_t begin = n * part / parts, count = n * (part + 1) / parts - begin;
+    build_fast_manifolds(
+        state, scratch, substep_s,
+        {std::span(fast.pairs).subspan(begin, count), std::span(fast.approaches).subspan(begin, count), memory},
+        part == 0 ? fast.found : lists[part]);
   });
   join_lists(std::span(lists).subspan(1, parts - 1), scratch.workers, fast.found.manifolds, fast.found.points);
 }
