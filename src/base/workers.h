@@ -78,6 +78,14 @@ void lower(Number& least, Number x) {
   }
 }
 
+/// Likewise a maximum.
+template <class Number>
+void raise(Number& most, Number x) {
+  for (Number now = read(most); now < x; now = read(most)) {
+    if (exchange(most, now, x)) return;
+  }
+}
+
 }  // namespace shared
 
 /// Sets a byte that several workers may set at a time, all to 1.

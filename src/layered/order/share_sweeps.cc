@@ -11,7 +11,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kSweepBatches = 96;  // of all layers, that pay for one more worker
+constexpr std::size_t kSweepBatches = 48;  // of all layers, that pay for one more worker
 constexpr unsigned kSharesMost = 64;       // workers: a bit each in SweepShares::users
 constexpr std::size_t kSamples = 1024;     // contacts that choose the axis
 

@@ -145,10 +145,9 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
     if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
   };
-  for_hashed_ranges(hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, move_points,
-                    [&](std::size_t begin, std::size_t end) {
-                      add_separations(scratch.contact_batches, begin, end, renews, numbers);
-                    });
+  for_hashed_batches(hasher, scratch, move_points, [&](std::size_t begin, std::size_t end) {
+    add_separations(scratch.contact_batches, begin, end, renews, numbers);
+  });
   numbers.pass_on();
   if (scratch.fast.none()) return {};
   for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t, std::size_t) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/order/share_sweeps.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
@@ -42,16 +43,19 @@ void exchange_motions(Scratch& scratch, bool before) {
 void begin(Scratch& scratch, const ContactWork& work) {
   scratch.overlaps.velocity.resize(scratch.solver_bodies.size());
   scratch.overlaps.spin.resize(scratch.solver_bodies.size());
-  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+  for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.begin_parting(part_of(work, begin, end));
   });
   exchange_motions(scratch, true);
 }
 
 void end(Scratch& scratch) {
-  std::vector<PointBatch>& points = scratch.contact_batches.points;
-  for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) points[k].impulse = std::exchange(points[k].peak, {});
+  ContactBatches& all = scratch.contact_batches;
+  for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
+    const ContactBatch& last = all.batches[end - 1];
+    for (std::size_t k = all.batches[begin].first; k < last.first + last.count; ++k) {
+      all.points[k].impulse = std::exchange(all.points[k].peak, {});
+    }
   });
   exchange_motions(scratch, false);
 }
@@ -64,10 +68,9 @@ void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
   };
   GatheredNumbers numbers(hasher);
-  for_hashed_ranges(hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, move_on,
-                    [&](std::size_t begin, std::size_t end) {
-                      add_separations(scratch.contact_batches, begin, end, false, numbers);
-                    });
+  for_hashed_batches(hasher, scratch, move_on, [&](std::size_t begin, std::size_t end) {
+    add_separations(scratch.contact_batches, begin, end, false, numbers);
+  });
   end(scratch);
 }
 

@@ -78,9 +78,9 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
     kernels(scratch.lanes).contacts.prepare(part);
     mark_bounces(part);
   };
-  for_hashed_ranges(
-      hasher, scratch.workers, work.count, kBatchesAPart, kBatchesABlock, prepare,
-      [&](std::size_t begin, std::size_t end) { add_batches(scratch.contact_batches, begin, end, *hasher); });
+  for_hashed_batches(hasher, scratch, prepare, [&](std::size_t begin, std::size_t end) {
+    add_batches(scratch.contact_batches, begin, end, *hasher);
+  });
   return {};
 }
 

@@ -78,10 +78,8 @@ double find_overlaps(Scratch& scratch, const ContactWork& all) {
   ContactWork work = all;
   work.visit.first = scratch.visits.first;
   double deepest = 0;
-  const unsigned parts = part_count(scratch.workers, work.count, kBatchesAPart);
-  work_together(scratch.workers, parts, [&](const Worker& worker) {
-    const Worker::Share share = worker.share(work.count);
-    worker.raise(deepest, kernels(scratch.lanes).contacts.find_overlaps(part_of(work, share.begin, share.end)));
+  for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
+    shared::raise(deepest, kernels(scratch.lanes).contacts.find_overlaps(part_of(work, begin, end)));
   });
   return deepest;
 }

@@ -138,11 +138,7 @@ class Sweeper {
     if (!own.empty() && rests(layer)) {
       add(Due::kNone);
     } else {
-      for (std::size_t k = 0; k < own.size();) {
-        const std::size_t from = k;
-        for (++k; k < own.size() && own[k] == own[k - 1] + 1; ++k) continue;
-        add(solve(part_of(work, own[from] - begin, own[k - 1] + 1 - begin)));
-      }
+      for_runs(own, [&](std::uint32_t from, std::uint32_t to) { add(solve(part_of(work, from - begin, to - begin))); });
       layers_[layer].looked = now_;
     }
     const std::uint64_t* const heirs = &shares.heirs[std::size_t{layer} * worker_.parts];
