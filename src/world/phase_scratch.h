@@ -171,10 +171,11 @@ struct VisitScratch {
 /// pieces are numbered layer by layer, worker by worker.
 struct SweepShares {
   unsigned parts = 1;                 ///< workers; with 1 the rest is old
-  std::vector<std::uint32_t> order;   ///< batches, piece by piece
+  std::vector<std::uint32_t> order;   ///< batches, piece by piece; those with bodies of several workers first
   std::vector<std::uint32_t> first;   ///< by piece, in `order`; one more at the end
   std::vector<std::uint64_t> users;   ///< by body: a bit for each worker whose batches have contacts of it
   std::vector<std::uint64_t> heirs;   ///< by piece: a bit for each other worker who adds up outcomes of the piece
+  std::vector<std::uint32_t> urgent;  ///< by piece: batches whose outcomes other workers wait for
   std::uint32_t rows = 0;             ///< of solver_bodies, before those of copies
   std::vector<std::uint32_t> copies;  ///< by copy: its body. The first user of a body has the body's own row
   std::vector<std::uint32_t> copies_before;  ///< by body

@@ -59,6 +59,26 @@ TEST(WorkerThreads, MeetAsOftenAsTheyLike) {
   }
 }
 
+// A worker that waits for a post sees what the other wrote before it.
+TEST(WorkerThreads, SeeWhatWasWrittenBeforeAPost) {
+  for (const unsigned count : {2U, 3U, 7U}) {
+    WorkerThreads workers(count);
+    for (int round = 0; round < 3; ++round) {  // numbers begin anew in every round
+      std::array<std::uint32_t, 16> written{};
+      std::atomic<unsigned> wrong = 0;
+      work_together(&workers, count, [&](const Worker& worker) {
+        for (std::uint32_t k = 1; k <= 200; ++k) {
+          const unsigned before = (worker.part + count - 1) % count;
+          shared::write(written[worker.part], k);
+          worker.post(k);
+          if (worker.await(before, k) < k || shared::read(written[before]) < k) wrong.fetch_add(1);
+        }
+      });
+      EXPECT_EQ(wrong.load(), 0U) << count;
+    }
+  }
+}
+
 TEST(WorkerThreads, SharesCoverEverythingOnce) {
   for (std::size_t n = 0; n < 40; ++n) {
     for (unsigned parts = 1; parts <= 7; ++parts) {

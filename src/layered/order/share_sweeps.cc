@@ -103,27 +103,26 @@ class SharesBuilder {
     }
   }
 
-  // Calls visit(layer, row) for both sides of all manifolds of this worker's, where the body moves.
+  // Calls visit(row) for both sides of a batch's manifolds, where the body moves.
   template <class Visit>
-  void for_own_sides(Visit visit) {
-    for (std::uint32_t layer = 0; layer < layers(); ++layer) {
-      for (const std::uint32_t k : shares_.batches_of(layer, worker_.part)) {
-        BatchSides& sides = all_.sides[k];
-        for (unsigned lane = 0; lane < all_.batches[k].used; ++lane) {
-          for (std::uint32_t* const row : {&sides.a[lane], &sides.b[lane]}) {
-            if (*row < bodies_.size() && bodies_.moves(*row)) visit(layer, *row);
-          }
-        }
+  void for_sides(std::uint32_t k, Visit visit) {
+    BatchSides& sides = all_.sides[k];
+    for (unsigned lane = 0; lane < all_.batches[k].used; ++lane) {
+      for (std::uint32_t* const row : {&sides.a[lane], &sides.b[lane]}) {
+        if (*row < bodies_.size() && bodies_.moves(*row)) visit(*row);
       }
     }
   }
 
   void find_users() {
     const std::uint64_t bit = std::uint64_t{1} << worker_.part;
-    for_own_sides([&](std::uint32_t /*layer*/, std::uint32_t row) {
+    const auto use = [&](std::uint32_t row) {
       std::atomic_ref users(shares_.users[row]);
       if ((users.load(std::memory_order_relaxed) & bit) == 0) users.fetch_or(bit, std::memory_order_relaxed);
-    });
+    };
+    for (std::uint32_t layer = 0; layer < layers(); ++layer) {
+      for (const std::uint32_t k : shares_.batches_of(layer, worker_.part)) for_sides(k, use);
+    }
   }
 
   static std::uint32_t copies_of(std::uint64_t users) {
@@ -149,16 +148,32 @@ class SharesBuilder {
     }
   }
 
-  // Names this worker's rows in its batches, and finds who else adds up their outcomes.
+  // Names this worker's rows in its batches, finds who else adds up their outcomes, and puts the batches first for
+  // which others wait.
   void name_rows() {
-    const std::uint64_t others = ~(std::uint64_t{1} << worker_.part);
-    for (std::uint32_t layer = 0; layer < layers(); ++layer) shares_.heirs[at(layer)] = 0;
-    for_own_sides([&](std::uint32_t layer, std::uint32_t& row) {
-      const std::uint64_t users = shares_.users[row];
-      if ((users & others) == 0) return;
-      shares_.heirs[at(layer)] |= users & others;
-      row = row_for(shares_, row, worker_.part);
+    for (std::uint32_t layer = 0; layer < layers(); ++layer) {
+      std::uint64_t& heirs = shares_.heirs[at(layer)] = 0;
+      std::uint32_t* const begin = shares_.order.data() + shares_.first[at(layer)];
+      std::uint32_t* const end = shares_.order.data() + shares_.first[at(layer) + 1];
+      std::uint32_t* const rest = std::partition(begin, end, [&](std::uint32_t k) {
+        const std::uint64_t others = name_rows_of(k);
+        heirs |= others;
+        return others != 0;
+      });
+      std::sort(begin, rest);
+      std::sort(rest, end);
+      shares_.urgent[at(layer)] = static_cast<std::uint32_t>(rest - begin);
+    }
+  }
+  // Returns the other workers who use bodies of the batch.
+  std::uint64_t name_rows_of(std::uint32_t k) {
+    std::uint64_t others = 0;
+    for_sides(k, [&](std::uint32_t& row) {
+      const std::uint64_t more = shares_.users[row] & ~(std::uint64_t{1} << worker_.part);
+      if (more != 0) row = row_for(shares_, row, worker_.part);
+      others |= more;
     });
+    return others;
   }
   [[nodiscard]] std::size_t at(std::uint32_t layer) const { return std::size_t{layer} * worker_.parts + worker_.part; }
 
@@ -239,6 +254,7 @@ void share_sweeps(const WorldState& state, Scratch& scratch) {
   shares.copies_before.resize(n);
   shares.counts.assign(shares.parts + 1, 0);
   shares.heirs.resize(pieces);
+  shares.urgent.resize(pieces);
   shares.touched_first.resize(pieces + 1);
   all.outcomes.resize(all.batches.size() * kLanes * 2);  // workers are not all in one layer
   if (shares.places.size() < shares.parts) shares.places.resize(shares.parts);

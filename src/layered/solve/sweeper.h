@@ -134,17 +134,23 @@ class Sweeper {
       all_due &= due == Due::kAll;
       any_due |= due != Due::kNone;
     };
+    const std::size_t piece = std::size_t{layer} * worker_.parts;
     const std::span<const std::uint32_t> own = shares.batches_of(layer, worker_.part);
-    if (!own.empty() && rests(layer)) {
-      add(Due::kNone);
-    } else {
-      for_runs(own, [&](std::uint32_t from, std::uint32_t to) { add(solve(part_of(work, from - begin, to - begin))); });
-      layers_[layer].looked = now_;
-    }
-    const std::uint64_t* const heirs = &shares.heirs[std::size_t{layer} * worker_.parts];
+    const bool rest = rests(layer);
+    const auto solve_some = [&](std::span<const std::uint32_t> some) {
+      if (rest && !some.empty()) return add(Due::kNone);
+      for_runs(some,
+               [&](std::uint32_t from, std::uint32_t to) { add(solve(part_of(work, from - begin, to - begin))); });
+    };
+    // What others wait for comes first, so that it travels while the rest is solved.
+    const std::uint64_t* const heirs = &shares.heirs[piece];
+    const std::uint32_t urgent = shares.urgent[piece + worker_.part];
+    solve_some(own.first(urgent));
     if (heirs[worker_.part] != 0) {
       worker_.post(post_of(now_, !any_due ? Due::kNone : all_due ? Due::kAll : Due::kSome));
     }
+    solve_some(own.subspan(urgent));
+    if (!rest) layers_[layer].looked = now_;
     for (unsigned other = 0; other < worker_.parts; ++other) {
       if ((heirs[other] >> worker_.part & 1U) == 0) continue;
       const std::uint32_t post = worker_.await(other, post_of(now_, Due::kNone));
