@@ -165,7 +165,8 @@ Friction<V> cut_to_cones(const Manifolds<V, B>& m, const Pressure<V>& pressure, 
   const V holds = sliding == one ? dynamic : m.get(batch.friction);
   Cones<V, B> cones(m, pressure, dynamic);
   Friction<V> d = inverse.against(stop);
-  auto going = asked;
+  const auto pressed = pressure.most > 0.0;
+  auto going = asked & pressed;  // without pressure there is no friction, whatever the slip is
   for (int round = 0; round < kRounds && any(going); ++round) {
     cones.template slip<kRough>(d);
     const V gain = -(dot(stop, d) + dynamic * cones.work()), stiff = dot(d, inverse.times(d));
@@ -178,11 +179,13 @@ Friction<V> cut_to_cones(const Manifolds<V, B>& m, const Pressure<V>& pressure, 
     d = {going ? next.force1 : d.force1, going ? next.force2 : d.force2, going ? next.twist : d.twist};
     going = going & (dot(turned, inverse.times(turned)) > kNear * dot(next, inverse.times(next)));
   }
-  cones.template slip<kExact>(d);
+  const bool any_pressed = any(asked & pressed);
+  if (any_pressed) cones.template slip<kExact>(d);
   const auto slips = asked & (dot(stop, d) + holds * cones.work() < 0.0);
   if (!any(slips)) return stop;
   m.set(batch.sliding, slips ? one : sliding);
-  const Friction<V> f = cones.friction();
+  Friction<V> f = {V{}, V{}, V{}};
+  if (any_pressed) f = cones.friction();
   return {slips ? f.force1 : stop.force1, slips ? f.force2 : stop.force2, slips ? f.twist : stop.twist};
 }
 
@@ -244,7 +247,8 @@ Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure,
   auto asked = (force + stop.twist * stop.twist > limit * limit) | (flat & (pressure.most > kEven * pressure.sum));
   if (!any(asked)) return stop;
   const V most = coefficient * pressure.sum, wanted = stop.force1 * stop.force1 + stop.force2 * stop.force2;
-  if (!any(asked & (wanted > most * most))) asked = asked & doubtful(m, stop, coefficient, flat);
+  const auto pressed = pressure.most > 0.0;
+  if (!any(asked & (pressed & (wanted > most * most)))) asked = asked & doubtful(m, stop, coefficient, flat);
   return any(asked) ? cut_to_cones(m, pressure, inverse, stop, asked) : stop;
 }
 

@@ -74,6 +74,7 @@ void mark_bounces(const ContactWork& work) {
 void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
   const ContactBatches& all = scratch.contact_batches;
   const auto inverse_mass = [&](BodyIndex i) { return i == kGround ? 0.0 : scratch.solver_bodies[i].inverse_mass; };
+  const auto weight_of = [&](const Manifold& m) { return fall / std::max(inverse_mass(m.a), inverse_mass(m.b)); };
   const auto store = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = scratch.manifolds[scratch.layered[k]];
@@ -83,7 +84,7 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
       const std::span<ManifoldPoint> points = points_of(scratch, m);
       const double before = impulse_of(contact, points);
       store_contact(all, place, m, points);
-      keep_borne(contact, before, fall / std::max(inverse_mass(m.a), inverse_mass(m.b)), m, points);
+      if (grew(contact, before, points)) keep_borne(contact, before, weight_of(m), m, points);
     }
   };
   GatheredNumbers numbers(hasher);

@@ -38,6 +38,14 @@ double impulse_of(const ContactLane& contact, std::span<const ManifoldPoint> poi
   return exact_sum(contact, points, [](const ManifoldPoint& point) { return point.impulse; });
 }
 
+bool grew(const ContactLane& contact, double before, std::span<const ManifoldPoint> points) {
+  const PointBatch* solved = contact.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if ((solved++)->approach.of[contact.lane] < -kRestingSpeed) return true;
+  }
+  return !(impulse_of(contact, points) <= kGrowthMost * before);
+}
+
 void keep_borne(const ContactLane& contact, double before, double weight, Manifold& m,
                 std::span<ManifoldPoint> points) {
   const double all = impulse_of(contact, points);

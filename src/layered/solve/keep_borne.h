@@ -17,6 +17,10 @@ struct ContactLane {
 /// N·s, the sum of the impulses of the contact's points; exact, whatever their order.
 double impulse_of(const ContactLane& contact, std::span<const ManifoldPoint> points);
 
+/// Whether keep_borne may take something: where no point met its body, and the impulse has at most doubled since
+/// `before`, it takes nothing, and needs neither loads nor weights. before: as for keep_borne.
+bool grew(const ContactLane& contact, double before, std::span<const ManifoldPoint> points);
+
 /// Takes from the impulses with which a step ended what stopped or threw bodies in the step, so that the next step
 /// starts from what the contact bears. before: N·s, what impulse_of said when the step began; weight: N·s, the weight
 /// of the lighter body for a substep.
