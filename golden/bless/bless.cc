@@ -141,7 +141,7 @@ Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vect
   if (recorded.empty()) {
     if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
   }
-  const RunOptions run = {.suite = options.suite, .require = {}, .report = {}, .recorded = recorded};
+  const RunOptions run = {.suite = options.suite, .require = {}, .report = {}, .to_bless = true, .recorded = recorded};
   const bool finished = process::run_jobs(
       folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },
       [&](std::size_t i, const process::JobResult& child) { handed.push_back(take_over(folders[i], child)); },

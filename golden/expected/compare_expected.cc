@@ -169,11 +169,7 @@ std::vector<std::string> ExpectedComparer::lost_channels() const {
   return extras_ ? extras_->lost() : std::vector<std::string>();
 }
 
-std::vector<std::string> ExpectedComparer::other_shapes() const {
-  const std::optional<std::vector<BodyShape>> actual = shapes_.shapes();
-  if (!expected_.shapes || !actual) return {};
-  return golden::other_shapes(*expected_.shapes, *actual);
-}
+std::vector<std::string> ExpectedComparer::other_shapes() const { return golden::other_shapes(expected_, shapes_); }
 
 std::vector<std::string> ExpectedComparer::extras() const {
   std::vector<std::string> parts = extras_ ? extras_->compared() : std::vector<std::string>();
@@ -219,6 +215,12 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   divergence = in_axes(axes_, *std::move(divergence));
   std::string size = replay::magnitude(*divergence);  // comes first: how much says more than how many ULPs
   if (!size.empty()) size.insert(0, ", ");
+  if (is_body_missing(*divergence)) {
+    const bool is_gone = std::holds_alternative<std::monostate>(divergence->actual);
+    field_detail_ = "at step " + number(record.step) + ", " + shapes_.names().text(*divergence->body) +
+                    (is_gone ? " is in the golden and not there" : " is there and not in the golden");
+    return;
+  }
   const std::string body = divergence->body ? names_.text(*divergence->body) + ", " : "";
   field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + size + ": expected " +
                   replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);

@@ -57,7 +57,7 @@ class ExpectedComparer {
   /// Channels of the golden that the session lacks or has in another type, a sentence each.
   [[nodiscard]] std::vector<std::string> lost_channels() const;
 
-  /// Bodies of another shape than in the golden, a sentence each; of all steps given.
+  /// Bodies of another shape than in the golden, or in one of the two alone, a sentence each; of all steps given.
   [[nodiscard]] std::vector<std::string> other_shapes() const;
 
   /// The channels, contacts, shapes and the setup that were compared, in words.

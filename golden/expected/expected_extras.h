@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,15 +48,23 @@ class ShapesKeeper {
   void add(const replay::StepRecord& record);
   /// Ascending ids; none for a session of Tumble, whose bodies are boxes.
   [[nodiscard]] std::optional<std::vector<BodyShape>> shapes() const;
+  /// Every body of the session.
+  [[nodiscard]] const std::set<sim::BodyId>& ids() const { return ids_; }
+  [[nodiscard]] const replay::BodyTable& names() const { return bodies_; }
 
  private:
   bool is_engine_;
   replay::BodyTable bodies_;
+  std::set<sim::BodyId> ids_;
+  std::vector<sim::BodyId> last_;  // of the step before: ids change seldom
 };
 
-/// The bodies whose shapes differ, a sentence each: "body 4: expected sphere of radius 0.5 m, actual box". At most six,
-/// and one that counts the rest.
-std::vector<std::string> other_shapes(const std::vector<BodyShape>& expected, const std::vector<BodyShape>& actual);
+struct Expected;
+
+/// The bodies whose shapes are not those of the golden, a sentence each: "another shape: body 4: expected sphere of
+/// radius 0.5 m, actual box", "body 100 is not in the golden". At most six, and one that counts the rest. Empty for a
+/// golden or a session without shapes.
+std::vector<std::string> other_shapes(const Expected& expected, const ShapesKeeper& actual);
 
 /// Low half of XXH3-128's low word; 0 without a value. A whole number has one hash, whether its kind is an integer or a
 /// double: a table's column may be either.

@@ -136,7 +136,7 @@ class Pass {
       result.problems.push_back(lost + "; bless the case if that is meant");
     }
     for (const std::string& other : comparer_->other_shapes()) {
-      result.problems.push_back("another shape: " + other + "; bless the case if that is meant");
+      result.problems.push_back(other + "; bless the case if that is meant");
     }
     if (expected.body_hashes.empty() || expected.body_hashes.front().id == start_) return;
     result.problems.push_back("its session starts with other bodies: " + number(start_.size()) + ", its golden with " +

@@ -39,6 +39,13 @@ std::string fault_of_worst(const MetricResult& metric, const std::vector<double>
 
 }  // namespace
 
+// A golden that has to be met in every bit is worth nothing where the engine itself does not meet it again.
+std::uint64_t runs_wanted(const CaseRules& rules, bool to_bless) {
+  const std::uint64_t said = rules.engine ? rules.engine->repeat : 1;
+  const bool needs_bits = std::ranges::find(rules.require, VerdictKind::kExact) != rules.require.end();
+  return to_bless && rules.is_external() && needs_bits ? std::max<std::uint64_t>(said, 2) : said;
+}
+
 RepeatedRuns::RepeatedRuns(replay::LogReader& first, const Reference& reference, Judged& judged)
     : first_(first), reference_(reference), judged_(judged) {
   values_.push_back(judged.values);

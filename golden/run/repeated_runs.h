@@ -16,6 +16,10 @@ namespace tumble::golden {
 /// How the exact verdict begins where the runs of an engine differ among themselves.
 inline constexpr std::string_view kDoesNotRepeat = "the engine does not repeat itself";
 
+/// How often a case's engine runs: as often as the case says, and at least twice for a blessing of a case that requires
+/// exact.
+std::uint64_t runs_wanted(const CaseRules& rules, bool to_bless);
+
 /// Several runs of an engine's case, judged together (`repeat`). Where they differ, the engine does not repeat itself
 /// to the bit: the exact verdict fails, every metric has to hold its bounds in every run, its value is the median, and
 /// it has moved only where the median is farther from the blessed value than the runs are from one another.

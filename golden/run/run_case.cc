@@ -138,9 +138,9 @@ class CaseRunner {
                                  source_hash_, session->continuation,
                                  scene_text_,  session->cut_short};
     Judged judged = judge(*log, reference);
-    const bool repeats =
-        run_.rules.engine && run_.rules.engine->repeat > 1 && !session->cut_short && session->failure.empty();
-    if (repeats && !judge_repeated(*log, reference, judged)) return;
+    const std::uint64_t runs = runs_wanted(run_.rules, options_.to_bless && recorded_ == nullptr);
+    const bool repeats = runs > 1 && !session->cut_short && session->failure.empty();
+    if (repeats && !judge_repeated(*log, reference, runs, judged)) return;
     run_.incomplete = reason_to_stop(*session, *log, judged);
     run_.unable = !session->failure.empty();
     take(std::move(judged));
@@ -173,14 +173,14 @@ class CaseRunner {
     result.metrics.clear();
   }
 
-  /// Runs the engine as often as the case says, and judges all runs together.
-  bool judge_repeated(replay::LogReader& log, const Reference& reference, Judged& judged) {
+  /// Runs the engine `count` times, and judges all runs together.
+  bool judge_repeated(replay::LogReader& log, const Reference& reference, std::uint64_t count, Judged& judged) {
     if (recorded_ != nullptr) {
       judged.result.notes.push_back("one run of the engine is judged: the report has no other");
       return true;
     }
     RepeatedRuns runs(log, reference, judged);
-    for (std::uint64_t k = 2; k <= run_.rules.engine->repeat; ++k) {
+    for (std::uint64_t k = 2; k <= count; ++k) {
       const Result<Session> session = this_session(true);
       if (!session.ok()) return stop(session.error());
       if (!session->failure.empty()) {

@@ -16,6 +16,7 @@ struct RunOptions {
   std::filesystem::path suite;                      ///< its root
   std::optional<std::vector<VerdictKind>> require;  ///< overrides the case's own list
   std::filesystem::path report;                     ///< folder for the files of a failed case; empty: none
+  bool to_bless = false;                            ///< runs an engine once more where its case requires exact
   bool heavy = false;                               ///< go_on_from_each_step() for every case
   std::filesystem::path scratch =
       {};                       ///< folder for temporary files, which outlives a process that is ended; empty: none

@@ -13,6 +13,7 @@ namespace tumble::replay {
 namespace {
 
 std::string values_text(const Divergence& d) {
+  if (is_body_missing(d)) return "body " + std::to_string(*d.body) + " is " + only_in(d, "A", "B");
   const HeaderDifference shown = {d.field, d.expected, d.actual, true, false};
   return (d.body ? "body " + std::to_string(*d.body) + ' ' : "") + describe(shown);
 }

@@ -6,12 +6,15 @@
 
 #include "replay/diff/input_difference.h"
 #include "replay/format/little_endian.h"
+#include "src/base/check.h"
 #include "src/base/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/tolerance.h"
 
 namespace tumble::replay {
 namespace {
+
+constexpr const char* kBodyField = "body";  // of a difference: one of the two has no such body
 
 /// Causes before effects: a step with another dt or other inputs differs in everything after, so these come first.
 std::optional<Divergence> different_start(const StepRecord& expected, const StepRecord& actual) {
@@ -129,13 +132,15 @@ std::optional<Divergence> different_ids(const std::vector<sim::BodyId>& expected
                                         const std::vector<sim::BodyId>& actual) {
   const auto [in_a, in_b] = std::ranges::mismatch(expected, actual);
   if (in_a == expected.end() && in_b == actual.end()) return std::nullopt;
-  const auto at = static_cast<std::size_t>(in_a - expected.begin());
-  const auto text = [at](const std::vector<sim::BodyId>& ids) {
-    return at < ids.size() ? FieldValue(std::uint64_t{ids[at]}) : FieldValue(std::string("no such body"));
-  };
-  Divergence divergence = make_divergence(0, "step", "id", text(expected), text(actual));
-  divergence.body =
-      std::min(in_a == expected.end() ? sim::kBodyIdMax : *in_a, in_b == actual.end() ? sim::kBodyIdMax : *in_b);
+  const bool only_expected = in_b == actual.end() || (in_a != expected.end() && *in_a < *in_b);
+  const sim::BodyId body = only_expected ? *in_a : *in_b;
+  Divergence divergence;
+  divergence.phase = "step";
+  divergence.field = kBodyField;
+  divergence.body = body;
+  divergence.expected = std::monostate();
+  divergence.actual = std::monostate();
+  (only_expected ? divergence.expected : divergence.actual) = std::uint64_t{body};
   return divergence;
 }
 
@@ -148,8 +153,15 @@ void count_in_binary32(Divergence& divergence) {
 
 bool is_in_state(const Divergence& divergence) {
   if (!divergence.body) return false;
-  return divergence.field == "frozen" || divergence.field == "id" ||
+  return divergence.field == "frozen" || divergence.field == kBodyField ||
          std::ranges::find(kColumnNames, divergence.field) != kColumnNames.end();
+}
+
+bool is_body_missing(const Divergence& divergence) { return divergence.body && divergence.field == kBodyField; }
+
+std::string only_in(const Divergence& missing_body, const std::string& expected, const std::string& actual) {
+  SIM_CHECK(is_body_missing(missing_body), missing_body.step);
+  return "only in " + (std::holds_alternative<std::monostate>(missing_body.actual) ? expected : actual);
 }
 
 std::string magnitude(const Divergence& divergence) {
@@ -169,6 +181,10 @@ std::string describe(const Divergence& d) {
   if (d.body) text += ", body " + std::to_string(*d.body);
   if (d.pair) text += ", pair " + std::to_string(d.pair->first) + " and " + std::to_string(d.pair->second);
   if (!d.names.empty()) text += " (" + d.names + ")";
+  if (is_body_missing(d)) {
+    return text + (std::holds_alternative<std::monostate>(d.actual) ? ": expected, but not there"
+                                                                    : ": there, but not expected");
+  }
   text += ", " + d.field + ": expected " + to_string(d.expected) + ", actual " + to_string(d.actual);
   if (d.ulps) text += " (" + std::to_string(*d.ulps) + (*d.ulps == 1 ? " ulp)" : " ulps)");
   if (!d.note.empty()) text += "; " + d.note;

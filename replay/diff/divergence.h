@@ -21,7 +21,8 @@ struct Divergence {
   std::string phase;
   std::optional<sim::BodyId> body;  ///< the first one, by id, whose state differs
   std::optional<std::pair<sim::BodyId, sim::BodyId>> pair;
-  /// "position.x", "orientation.w", "velocity.y", "spin.z", "frozen", "id"; "dt", "inputs" (other kinds of them),
+  /// "position.x", "orientation.w", "velocity.y", "spin.z", "frozen"; "body" (one session alone has it: its id, and
+  /// nothing in the other); "dt", "inputs" (other kinds of them),
   /// "throw.velocity.y" (a field of an input, see input_difference.h), "phase_hash", "state_hash", "mass", "inertia.x",
   /// "world.gravity.z", "low_energy_time" (parts of a complete state, see world_difference.h), "continuation_hash"
   /// (such a part that cannot be named), "pairs", "contacts", "substeps", "kinetic", "potential", "input_energy",
@@ -50,6 +51,12 @@ std::string magnitude(const Divergence& divergence);
 /// Whether the difference is one of a body's visible state.
 bool is_in_state(const Divergence& divergence);
 
+/// Whether one of the two sessions does not have the body at all.
+bool is_body_missing(const Divergence& divergence);
+
+/// "only in A" for a missing body: the name of the session that has it.
+std::string only_in(const Divergence& missing_body, const std::string& expected, const std::string& actual);
+
 /// One line: "step 12, phase integrate, body 7, position.x: expected …, actual … (3 ulps)".
 std::string describe(const Divergence& divergence);
 
@@ -62,8 +69,8 @@ std::optional<Divergence> first_difference(const StepRecord& expected, const Ste
 /// The first body and field in which two states differ to the bit, by ascending id.
 std::optional<Divergence> first_difference(const BodyStates& expected, const BodyStates& actual);
 
-/// The first place at which two lists of bodies differ. Both ascend, so the smaller of the two ids there is the body
-/// that one side lacks.
+/// The first place at which two lists of bodies differ: field "body". Both ascend, so the smaller of the two ids there
+/// is the body that one side lacks.
 std::optional<Divergence> different_ids(const std::vector<sim::BodyId>& expected,
                                         const std::vector<sim::BodyId>& actual);
 

@@ -13,6 +13,7 @@ namespace tumble::replay {
 std::string to_string(const FieldValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* number = std::get_if<std::uint64_t>(&value)) return std::to_string(*number);
+  if (std::holds_alternative<std::monostate>(value)) return "not there";
   std::array<char, 40> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::get<double>(value),
                                  std::chars_format::general, 17);

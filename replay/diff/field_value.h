@@ -7,10 +7,11 @@
 
 namespace tumble::replay {
 
-/// The value of a field in which two sessions may differ: a double, an integer, or text (hashes, names).
-using FieldValue = std::variant<double, std::uint64_t, std::string>;
+/// The value of a field in which two sessions may differ: a double, an integer, text (hashes, names), or nothing, where
+/// a session does not have the body (JSON: null).
+using FieldValue = std::variant<double, std::uint64_t, std::string, std::monostate>;
 
-std::string to_string(const FieldValue& value);  ///< doubles with 17 digits
+std::string to_string(const FieldValue& value);  ///< doubles with 17 digits; nothing is "not there"
 
 /// Equality of every bit: a NaN equals itself, −0.0 and 0.0 differ.
 bool same_bits(const FieldValue& a, const FieldValue& b);

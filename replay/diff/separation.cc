@@ -111,6 +111,7 @@ class SeparationMeter {
       if (!in_both) {
         const bool only_a = j == b.size() || (i < a.size() && a.id[i] < b.id[j]);
         ++(only_a ? i : j);
+        ++(only_a ? row_.only_in_a : row_.only_in_b);
         ++row_.bodies;
         note(separation_.bodies_from);
         continue;

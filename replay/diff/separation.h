@@ -31,6 +31,8 @@ struct SeparationRow {
   double separation = 0;     ///< m: largest distance of a body's centre in one from its centre in the other; infinite
                              ///< where a body that differs has a value that is no finite number
   std::optional<sim::BodyId> body;  ///< the body at that distance; none at 0
+  std::uint64_t only_in_a = 0;      ///< bodies that are on one side only, which have no separation
+  std::uint64_t only_in_b = 0;
 };
 
 /// Separations whose first step is reported, m.

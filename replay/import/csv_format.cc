@@ -7,6 +7,7 @@
 
 #include "replay/format/limits.h"
 #include "replay/import/shape_text.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -147,13 +148,13 @@ Error wrong_camera(const CsvReader& table, const std::map<std::string, std::uint
 using Places = std::vector<std::pair<std::string, std::size_t*>>;
 
 Error unknown_column(const CsvReader& table, std::size_t column, const Places& places) {
-  std::string known;
-  for (const auto& [word, where] : places) known += (known.empty() ? "" : ", ") + word;
-  return table.at(column, "found column \"" + table.columns()[column] + "\", wanted some of " + known +
-                              "; a column channel.NAME, world.NAME or pair.NAME becomes a channel, --channels makes "
-                              "channels of all others, "
-                              "--map FIELD=COLUMN gives a column its name, and the name of a column that is to be "
-                              "passed over begins with _");
+  std::vector<std::string_view> known(places.size());
+  std::ranges::transform(places, known.begin(), [](const auto& place) { return std::string_view(place.first); });
+  const std::string near(nearest_word(table.columns()[column], known));
+  return table.at(column, "found column " + in_quotes(table.columns()[column]) + ", wanted step, id, position.x or " +
+                              "another of the format" + (near.empty() ? "" : " (is " + near + " meant?)") +
+                              "; 'tumble import --help' lists them; --map FIELD=COLUMN names it, --channels makes a "
+                              "channel of it, a name that begins with _ is passed over");
 }
 
 template <std::size_t N>

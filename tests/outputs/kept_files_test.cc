@@ -78,7 +78,7 @@ TEST_F(KeptFiles, InputsUnderAllTheirNamesAreLeftAlone) {
     commands.push_back({"import", "t.csv", "--like", "a.tumble", "-o", stem + ".tumble"});
     commands.push_back({"record", "--from", "a.tumble:10", "-o", stem + ".tumble"});
     commands.push_back({"bench", "memory", "--scene", stem + ".toml", "--save", "a.tumble"});
-    commands.push_back({"bench", "memory", "--scene", stem + ".toml", "--plot", "hard.svg"});
+    commands.push_back({"bench", "scaling", "--budget", "0.3", "--plot", "hard.svg"});
   }
   expect_refused(shop_, commands, " itself");
 }
@@ -225,7 +225,7 @@ TEST_F(KeptFiles, AnOutputTakesThePlaceOfAnEarlierOne) {
 TEST_F(KeptFiles, TwoOutputsAreTwoFiles) {
   expect_refused(shop_,
                  {{"measure", "a.tumble", "--series", "x.svg", "--plot", "./x.svg"},
-                  {"bench", "memory", "--scene", "a.toml", "--save", "x.svg", "--plot", "x.svg"}},
+                  {"bench", "scaling", "--budget", "0.3", "--save", "x.svg", "--plot", "x.svg"}},
                  "is the file of");
 }
 

@@ -105,8 +105,29 @@ TEST(Diff, BodiesOfOneLogOnlyAreNamed) {
   const DiffReport report = diff_of(record_to_memory(small_scene()), record_to_memory(other));
   ASSERT_TRUE(report.first.has_value());
   EXPECT_EQ(report.first->step, 0U);
-  EXPECT_EQ(report.first->field, "id");
+  EXPECT_EQ(report.first->field, "body");
   EXPECT_EQ(report.first->body, 12U);
+  EXPECT_EQ(report.first->expected, FieldValue(std::uint64_t{12}));
+  EXPECT_EQ(report.first->actual, FieldValue(std::monostate()));
+  EXPECT_EQ(describe(*report.first), "step 0, phase start, body 12: expected, but not there");
+}
+
+// The next row of a table takes the place of a removed body, and is no other value of it.
+TEST(Divergence, ABodyThatIsMissingIsNotTheNextOne) {
+  const BodyStates all = simulate(small_scene(0))[0];
+  ASSERT_EQ(all.id, (std::vector<sim::BodyId>{10, 11, 12}));
+  sim::SceneDef without = small_scene(0);
+  without.boxes.erase(without.boxes.begin() + 1);
+  const BodyStates some = simulate(without)[0];
+  const std::optional<Divergence> gone = first_difference(all, some), added = first_difference(some, all);
+  ASSERT_TRUE(gone && added);
+  EXPECT_TRUE(is_body_missing(*gone));
+  EXPECT_EQ(gone->body, 11U);
+  EXPECT_EQ(gone->expected, FieldValue(std::uint64_t{11}));
+  EXPECT_EQ(only_in(*gone, "a", "b"), "only in a");
+  EXPECT_EQ(added->body, 11U);
+  EXPECT_EQ(added->expected, FieldValue(std::monostate()));
+  EXPECT_EQ(only_in(*added, "a", "b"), "only in b");
 }
 
 TEST(Diff, TolerancesNeedStates) {

@@ -74,6 +74,43 @@ test("names, shapes and channels of another engine, sent and served", async () =
   child.kill("SIGINT");
 });
 
+/// Body 1, a box, and from step 5 on body 2, a sphere, unless it is left out.
+function import_late(name, with_two) {
+  let text = "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,shape," +
+    "size.x,size.y,size.z\n";
+  for (let k = 0; k <= 10; ++k) {
+    text += `${k},1,0,0,${k},1,0,0,0,box,1,2,3\n`;
+    if (with_two && k >= 5) text += `${k},2,4,0,1,1,0,0,0,sphere,1,1,1\n`;
+  }
+  writeFileSync(sessions.path("late.csv"), text);
+  sessions.run("import", "late.csv", "-o", name);
+}
+
+test("a body that appears later has its shape, and one that only one session has is said to be so", async () => {
+  import_late("late.tumble", true);
+  import_late("without.tumble", false);
+  sessions.run("view", "late.tumble", "-o", "late.html");
+  sessions.run("view", "late.tumble", "without.tumble", "-o", "late_two.html");
+  const one = await sessions.serve("late.tumble");
+  const two = await sessions.serve("late.tumble", "without.tumble");
+  for (const place of [pathToFileURL(sessions.path("late.html")).href, one.address]) {
+    for (const [id, words] of [[2, "Body 2 sphere of radius 0.5 m · awake"], [1, "Body 1 box · 1 × 2 × 3 m · awake"]]) {
+      const page = await open(`${place}#step=7&body=${id}`);
+      await until(page, ".panel p", words);
+      await page.context().close();
+    }
+  }
+  for (const place of [pathToFileURL(sessions.path("late_two.html")).href, two.address]) {
+    const page = await open(`${place}#step=7&body=2`);
+    await until(page, ".panel p", "Body 2 sphere of radius 0.5 m · awake · only in A");
+    await until(page, "output.said", "1 body only in A");
+    await until(page, ".effect", "body 2, only in A");
+    await page.context().close();
+  }
+  one.child.kill("SIGINT");
+  two.child.kill("SIGINT");
+});
+
 /// Two bodies and a pull between them, which grows while the heat of the second falls; body 3 has neither.
 function import_pull(name) {
   let text = "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z," +

@@ -200,6 +200,17 @@ TEST(Bench, BadArgumentsAreStatusTwo) {
     EXPECT_NE(outcome.err.find("found \"no_such\", wanted"), std::string::npos) << outcome.err;
   }
   EXPECT_EQ(shop.run({"bench", "memory", "--scene", "no_such"}).exit, 2);
+  const std::vector<std::vector<std::string>> others = {
+      {"memory", "--budget", "1"},     {"memory", "--engine", "thesis"}, {"view", "--repeat", "3"},
+      {"memory", "--plot", "zz.svg"},  {"peers", "--measure"},           {"scaling", "--large"},
+      {"live", "--method", "layered"}, {"table1", "--scene", "grid_20"}, {"phases", "--json"},
+      {"record", "--save", "x.json"}};
+  for (const std::vector<std::string>& words : others) {
+    const Outcome outcome = shop.run({"bench", words[0], words[1], words.back()});
+    EXPECT_EQ(outcome.exit, 2) << words[0] << words[1];
+    EXPECT_NE(outcome.err.find(words[1] + ": found with bench " + words[0]), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("wanted with "), std::string::npos) << outcome.err;
+  }
   EXPECT_EQ(shop.run({"bench", "scaling", "--budget", "0.3", "--plot", "x.txt"}).exit, 2);
 }
 

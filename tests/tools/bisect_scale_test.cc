@@ -159,6 +159,34 @@ TEST(BisectScale, AnEndWhoseOwnSessionsDifferIsSaidToBeUnrepeatable) {
   }
 }
 
+// A commit from which on two runs of one revision differ: its values are those of one run, and that is said.
+TEST(BisectScale, NamesACommitThatMakesTheSessionUnrepeatable) {
+  for (const char* asks : {"1", "2"}) {
+    const Workshop shop;
+    const HistoryPlan plan{.commits = 6, .fault = 4, .broken = {}};
+    const History history(shop, plan);
+    shop.write("flaky.sh", "n=00\n[ ! -s fault ] || { echo run >>'" + shop.path("runs") + "'; n=1$(wc -l <'" +
+                               shop.path("runs") +
+                               "'); }\nexec '" TUMBLE_PROGRAM
+                               "' record \"$1\" -o \"$2\" --quiet --set \"box.1.velocity=[0.$n,0.0,0.0]\"\n");
+    const std::vector<std::string> words = {
+        "session.tumble", "--jobs", "1", "--asks", asks, "--run", "sh '" + shop.path("flaky.sh") + "' {scene} {log}"};
+    const Outcome text = history.bisect(words);
+    EXPECT_EQ(text.exit, 1) << text.out << text.err;
+    const std::string name = history.commit(plan.fault).substr(0, 10);
+    EXPECT_NE(
+        text.out.find("from " + name + " on the session is not repeatable: two runs of it differ from each other"),
+        std::string::npos)
+        << text.out;
+    std::vector<std::string> with_json = words;
+    with_json.emplace_back("--json");
+    const ordered_json json = found(history, plan, history.bisect(with_json));
+    EXPECT_EQ(json["before"]["sessions_differ"], "");
+    const std::string where = json["after"]["sessions_differ"];
+    EXPECT_NE(where.find("body 1"), std::string::npos) << where;
+  }
+}
+
 TEST(BisectScale, TakesTheMostFrequentAnswer) {
   const Answer yes{true, true, "yes", {}, {}}, no{true, false, "no", {}, {}}, none{false, false, "crashed", {}, {}};
   EXPECT_EQ(answer_of({yes, yes}).not_repeatable, "");

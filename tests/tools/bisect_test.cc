@@ -260,7 +260,10 @@ TEST(BisectCommand, SaysWhatIsWrongWithItsArguments) {
   says({"--good", first, "--bad", "main", "scene.toml"}, "not a log");
   const Outcome same = history.bisect({"session.tumble", "--metric", "lateral_max<=100"});
   EXPECT_EQ(same.exit, 2);
-  EXPECT_NE(same.err.find("the same answer for both ends"), std::string::npos) << same.err;
+  EXPECT_NE(same.err.find("the same answer for both ends: both are within the bound"), std::string::npos) << same.err;
+  const Outcome beyond = history.bisect({"session.tumble", "--metric", "lateral_max<=-1"});
+  EXPECT_NE(beyond.err.find("for both ends: both are out of bound"), std::string::npos) << beyond.err;
+  EXPECT_NE(beyond.out.find(" m, out of bound"), std::string::npos) << beyond.out;
   EXPECT_NE(same.err.find("the clone and the answers stay in"), std::string::npos) << same.err;
 }
 

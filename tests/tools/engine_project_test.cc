@@ -228,6 +228,23 @@ TEST(EngineCase, RepeatedRunsAreJudgedAgainstTheirOwnSpread) {
   EXPECT_EQ(shop.run({"check", "--require", "exact", "--report", "r"}).exit, 1);
 }
 
+// A golden that the engine itself does not meet again would fail by itself.
+TEST(EngineCase, IsBlessedForEveryBitOnlyWhereASecondRunHasThem) {
+  const Workshop shop;
+  const std::string run = std::string(TUMBLE_TOY_ENGINE) + " --scene {scene} --log {log}";
+  write_project(shop, run + " --jitter");
+  write_case(shop, "", "require = [\"exact\"]\n");
+  const Outcome refused = shop.run({"bless", "stack", "--reason", "a test"});
+  EXPECT_EQ(refused.exit, 2) << refused.out;
+  EXPECT_TRUE(says(refused.err, "the engine does not repeat itself: run 2 differs from run 1")) << refused.err;
+  write_case(shop, "", "require = [\"behaviour\"]\n");
+  EXPECT_EQ(shop.run({"bless", "stack", "--reason", "a test"}).exit, 0);
+  write_case(shop, "", "require = [\"exact\"]\n");
+  write_project(shop, run);
+  EXPECT_EQ(shop.run({"bless", "stack", "--reason", "a test"}).exit, 0);
+  EXPECT_EQ(shop.run({"bless", "stack", "--reason", "a test", "--json"}).exit, 0);
+}
+
 /// A clone whose engine is a script; the second of three commits plants the fault.
 void make_history(const Workshop& shop) {
   const std::string commits = "cd '" + shop.path("project") + R"('

@@ -49,6 +49,38 @@ TEST(EngineShapes, CheckNamesOneThatAppearsLater) {
   EXPECT_TRUE(has(box.out, "another shape: body 3: expected sphere of radius 0.5 m, actual box")) << box.out;
 }
 
+TEST(EngineShapes, CheckSaysOfABodyOfOneSideThatItIsOneOfThem) {
+  const Workshop shop;
+  bless_case(shop, "");
+  const Outcome more = check_with(shop, "--sphere 3 --late");
+  EXPECT_EQ(more.exit, 1) << more.out;
+  EXPECT_TRUE(has(more.out, "body 3 is not in the golden")) << more.out;
+  EXPECT_FALSE(has(more.out, "another shape")) << more.out;
+  EXPECT_FALSE(has(more.out, ", id")) << more.out;
+  bless_case(shop, "--sphere 3 --late");
+  const Outcome fewer = check_with(shop, "");
+  EXPECT_EQ(fewer.exit, 1) << fewer.out;
+  EXPECT_TRUE(has(fewer.out, "body 3 is in the golden and not in the session")) << fewer.out;
+  EXPECT_FALSE(has(fewer.out, "another shape")) << fewer.out;
+}
+
+TEST(EngineShapes, DiffSaysWhichSideHasABody) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  record_falling(shop, "b", "--sphere 3 --late");
+  const auto json = nlohmann::json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(json["effect"]["field"], "body");
+  EXPECT_EQ(json["effect"]["body"], 3);
+  EXPECT_EQ(json["effect"]["expected"], nullptr);
+  EXPECT_EQ(json["effect"]["actual"], 3);
+  EXPECT_EQ(json["aftermath"]["last"]["only_in_a"], 0);
+  EXPECT_EQ(json["aftermath"]["last"]["only_in_b"], 1);
+  const std::string text = shop.run({"diff", "a.tumble", "b.tumble"}).out;
+  EXPECT_TRUE(has(text, "body 3, only in b.tumble")) << text;
+  EXPECT_TRUE(has(text, "0 m, step 5, of the bodies that both have")) << text;
+  EXPECT_TRUE(has(text, "at the end 1 body only in b.tumble")) << text;
+}
+
 TEST(EngineShapes, CheckNamesAnInputByNameThatTheGoldenLacks) {
   const Workshop shop;
   bless_case(shop, "");

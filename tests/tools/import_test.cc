@@ -52,5 +52,20 @@ TEST(Import, BadTablesAndArgumentsAreStatusTwo) {
   EXPECT_EQ(shop.run({"import", "bad.csv", "--like", "missing.tumble"}).exit, 2);
 }
 
+TEST(Import, KnowsALogAndTheBeginningOfAStream) {
+  const Workshop shop;
+  shop.record_small("s");
+  shop.write("w.csv", shop.read("s.tumble"));
+  const Outcome log = shop.run({"import", "w.csv", "-o", "x.tumble"});
+  EXPECT_EQ(log.exit, 2);
+  EXPECT_NE(log.err.find("w.csv: is a log of Tumble already"), std::string::npos) << log.err;
+  shop.write("cut.tumblestream", "\x89tu");
+  const Outcome cut = shop.run({"import", "cut.tumblestream", "-o", "x.tumble"});
+  EXPECT_EQ(cut.exit, 2);
+  EXPECT_NE(cut.err.find("is the beginning of a recorder's stream, cut to 3 bytes"), std::string::npos) << cut.err;
+  EXPECT_LT(cut.err.size(), 200U) << cut.err;
+  EXPECT_EQ(shop.run({"info", "x.tumble"}).exit, 2) << "no log must be there";
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -21,7 +21,7 @@ constexpr std::uint32_t kAnswers = 5;
 
 void ask(const std::string& path, const Divergence& first) {
   std::cout << ' ' << first.step << " body " << first.body.value_or(0) << ' ' << first.field << ':';
-  if (!first.body || first.field == "id") {
+  if (!first.body || is_body_missing(first)) {
     std::cout << " no value of a body\n";
     return;
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/base/check.h"
+#include "tools/bisect/asked_sessions.h"
 
 namespace tumble::tools::bisect {
 
@@ -59,6 +60,22 @@ Result<std::vector<Asked>> AskAll::ask(const std::vector<std::string>& commits) 
     if (error) return *error;
   }
   return answers;
+}
+
+Status AskAll::ask_again(const std::string& commit, Answer& answer) {
+  if (settings_.asks > 1) return {};
+  AskedSessions sessions(place_.session(commit), "first");  // ask() itself keeps others
+  sessions.add();
+  const Result<std::vector<Asked>> asked = ask({commit});
+  if (!asked.ok()) return asked.error();
+  sessions.add();
+  sessions.keep(0);
+  answer.sessions_differ = sessions.difference();
+  const Answer& again = asked->front().answer;
+  if (again.asked != answer.asked || again.yes != answer.yes) {
+    answer.not_repeatable = "the first time: " + answer.message + "; the second time: " + again.message;
+  }
+  return {};
 }
 
 }  // namespace tumble::tools::bisect

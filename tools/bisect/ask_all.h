@@ -32,6 +32,10 @@ class AskAll {
   /// the others are then ended too.
   Result<std::vector<Asked>> ask(const std::vector<std::string>& commits);
 
+  /// Asks a commit that was asked once a second time, and notes in its answer where it does not repeat. Errors:
+  /// ask()'s.
+  Status ask_again(const std::string& commit, Answer& answer);
+
  private:
   struct Part {
     Part(const Settings& settings, const Workplace& all, std::uint64_t k, const BuildCache* cache,

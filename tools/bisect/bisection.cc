@@ -80,8 +80,11 @@ class Bisection {
           "sessions depend on more than the revision; record LOG anew at the good revision, twice, and "
           "ask about it if 'tumble diff' says that the two are the same");
     }
-    return bad_input("the question (" + settings_.question() + ") has the same answer for both ends: good: " +
-                     finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
+    const std::string bound = !settings_.metric ? ""
+                              : good.yes        ? ": both are within the bound"
+                                                : ": both are out of bound";
+    return bad_input("the question (" + settings_.question() + ") has the same answer for both ends" + bound +
+                     ": good: " + finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
   }
 
   /// Two runs may differ from the log in the same way by chance, so an end that does not repeat it is asked again.
@@ -237,6 +240,10 @@ class Bisection {
       if (tested.verdict != Tested::Verdict::kGood || has_parent) continue;
       finding_.good = i;
       has_parent = parent.ok() && tested.commit.commit == *parent;
+    }
+    for (const std::size_t k : {finding_.good, finding_.bad}) {
+      Tested& tested = finding_.tested[k];
+      if (Status ok = askers_.ask_again(tested.commit.commit, tested.answer); !ok.ok()) return ok.error();
     }
     return std::move(finding_);
   }

@@ -17,6 +17,7 @@ Json answer_json(const std::string& commit, const Asked& asked) {
           {"not_repeatable", answer.not_repeatable},
           {"outcome", answer.outcome},
           {"other", answer.other},
+          {"sessions_differ", asked.answer.sessions_differ},
           {"seconds", asked.seconds}};
 }
 
@@ -29,6 +30,7 @@ Asked asked_from(const Json& row) {
   asked.answer.not_repeatable = row.value("not_repeatable", "");
   asked.answer.outcome = row.value("outcome", "");
   asked.answer.other = row.value("other", "");
+  asked.answer.sessions_differ = row.value("sessions_differ", "");
   asked.seconds = row.value("seconds", 0.0);
   return asked;
 }

@@ -12,6 +12,7 @@
 #include "src/base/check.h"
 #include "src/process/run_child.h"
 #include "src/scenes/problem.h"
+#include "tools/bisect/asked_sessions.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
 #include "tumble/replay/compare.h"
@@ -57,41 +58,13 @@ std::string same_text(const replay::ComparisonScope& scope) {
   return text;
 }
 
-Answer skipped(const std::string& why) { return {false, false, why, {}, {}, {}, {}}; }
-Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}, {}, {}, {}}; }
+Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}, {}, {}, {}, {}}; }
 
 constexpr std::size_t kAsksIfDifferent = 5;
 
 bool alike(const Answer& a, const Answer& b) { return a.asked == b.asked && a.yes == b.yes; }
 
 }  // namespace
-
-bool differ(const Answer& a, const Answer& b) {
-  return !a.outcome.empty() && !b.outcome.empty() && a.outcome != b.outcome;
-}
-
-Answer answer_of(const std::vector<Answer>& answers) {
-  SIM_CHECK(!answers.empty(), answers.size());
-  const auto count = [&](bool asked, bool yes) {
-    return std::ranges::count_if(answers, [&](const Answer& one) { return one.asked == asked && one.yes == yes; });
-  };
-  const auto yes = count(true, true), no = count(true, false), none = count(false, false);
-  const auto most = std::max({yes, no, none});
-  const bool tie = (yes == most) + (no == most) + (none == most) > 1;
-  const auto wanted = [&](const Answer& one) {
-    if (tie || none == most) return !one.asked;
-    return one.asked && one.yes == (yes == most);
-  };
-  const auto found = std::ranges::find_if(answers, wanted);
-  Answer answer = found == answers.end() ? skipped("its answer is not repeatable") : *found;
-  const auto unlike = std::ranges::find_if(answers, [&](const Answer& one) { return differ(answer, one); });
-  if (unlike != answers.end()) answer.other = unlike->message;
-  if (most == std::ssize(answers)) return answer;
-  answer.not_repeatable =
-      std::to_string(yes) + " of " + std::to_string(answers.size()) + " times yes, " + std::to_string(no) + " times no";
-  if (none > 0) answer.not_repeatable += ", " + std::to_string(none) + " times it could not be asked";
-  return answer;
-}
 
 Status Asker::prepare() {
   if (!settings_.log.empty()) {
@@ -246,7 +219,8 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   answer.asked = true;
   answer.metric = bound.metric->value_in(axes, measured);
   answer.yes = bound.holds(answer.metric);
-  answer.message = std::string(bound.metric->name) + " is " + bound.found_text(axes, measured);
+  answer.message =
+      bound.metric->name + (" is " + bound.found_text(axes, measured)) + (answer.yes ? "" : ", out of bound");
   return answer;
 }
 
@@ -286,14 +260,20 @@ Result<Answer> Asker::ask(const std::string& commit) {
   if (!built.ok()) return built.error();
   if (!*built) return skipped(why);
   std::vector<Answer> answers;
+  AskedSessions sessions(place_.session(commit));
   std::size_t wanted = settings_.asks;
   while (answers.size() < wanted) {
     Result<Answer> answer = ask_once(commit);
     if (!answer.ok()) return answer.error();
     answers.push_back(*std::move(answer));
+    sessions.add();
     if (!alike(answers.front(), answers.back())) wanted = std::max<std::size_t>(settings_.asks, kAsksIfDifferent);
   }
-  return answer_of(answers);
+  Answer answer = answer_of(answers);
+  const auto of = std::ranges::find(answers, answer.message, &Answer::message);
+  sessions.keep(of == answers.end() ? 0 : static_cast<std::size_t>(of - answers.begin()));
+  answer.sessions_differ = sessions.difference();
+  return answer;
 }
 
 }  // namespace tumble::tools::bisect

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
+#include "tools/bisect/answer.h"
 #include "tools/bisect/build_cache.h"
 #include "tools/bisect/build_progress.h"
 #include "tools/bisect/git.h"
@@ -14,25 +13,6 @@
 #include "tumble/sim/result.h"
 
 namespace tumble::tools::bisect {
-
-/// A revision's answer to the question.
-struct Answer {
-  bool asked = false;            ///< false: the revision does not build, or cannot read the log; it is skipped
-  bool yes = false;              ///< same bits, within the bound, passed
-  std::string message;           ///< the reason, a line
-  std::optional<double> metric;  ///< the value of the metric asked about
-  std::string not_repeatable;    ///< "3 of 5 yes, 2 no": what it answered when asked again; empty: always the same
-  std::string outcome = {};      ///< of a session unlike the log: how it differs, with its last hash; else empty
-  std::string other = {};        ///< the message of another run with another outcome; empty: there was none
-};
-
-/// Whether both are of sessions unlike the log, and unlike each other.
-bool differ(const Answer& a, const Answer& b);
-
-/// One answer of several to the same question: the most frequent one, and where they are not all alike not_repeatable,
-/// or where they agree but their sessions do not, other.
-/// Of equally many, that it cannot be asked. Precondition (SIM_CHECK): at least one.
-Answer answer_of(const std::vector<Answer>& answers);
 
 /// Builds programs of revisions and asks them.
 class Asker {

@@ -16,6 +16,13 @@ Json facts_json(const CommitFacts& facts) {
 
 Json number(const std::optional<double>& value) { return value ? number_json(*value) : Json(nullptr); }
 
+Json end_json(const Tested& end) {
+  return {{"commit", end.commit.commit},
+          {"words", end.answer.message},
+          {"metric", number(end.answer.metric)},
+          {"sessions_differ", end.answer.sessions_differ}};
+}
+
 void print_commit(const CommitFacts& facts) {
   Listing listing;
   listing.add("  commit", facts.commit);
@@ -48,15 +55,32 @@ void print_comparison(const Comparison& comparison) {
 
 std::string doubt_text(const Tested& tested) {
   const std::string& text = tested.answer.not_repeatable;
-  return text.empty() ? "" : "; NOT REPEATABLE: " + text;
+  if (!text.empty()) return "; NOT REPEATABLE: " + text;
+  const std::string& sessions = tested.answer.sessions_differ;
+  return sessions.empty() ? "" : "; NOT REPEATABLE: two runs of it differ, " + printable(sessions);
 }
 
 /// Revisions that answered now so, now otherwise: the commit found may be the wrong one.
 void print_doubts(const Finding& finding) {
   for (const Tested& tested : finding.tested) {
-    if (tested.answer.not_repeatable.empty()) continue;
-    std::cout << "\nthe answer of " << tested.commit.shortly() << " is not repeatable (" << tested.answer.not_repeatable
-              << "); the result relies on the most frequent one\n";
+    const Answer& answer = tested.answer;
+    if (!answer.not_repeatable.empty()) {
+      std::cout << "\nthe answer of " << tested.commit.shortly() << " is not repeatable (" << answer.not_repeatable
+                << "); the result relies on the most frequent one\n";
+    }
+  }
+}
+
+/// Two values of one field, of two runs, need this word: the change that was asked about may be chance.
+void print_repeats(const Tested& good, const Tested& bad) {
+  for (const Tested* tested : {&good, &bad}) {
+    if (tested->answer.sessions_differ.empty()) continue;
+    const bool from_here = tested == &bad && good.answer.sessions_differ.empty();
+    std::cout << '\n'
+              << (from_here ? "from " + tested->commit.shortly() + " on the session is not repeatable"
+                            : "the session of " + tested->commit.shortly() + " is not repeatable")
+              << ": two runs of it differ from each other, " << printable(tested->answer.sessions_differ)
+              << "; the values here are those of one run\n";
   }
 }
 
@@ -113,6 +137,7 @@ void print_verdict(const Settings& settings, const Finding& finding, const Compa
   listing.add("  before", printable(good.answer.message) + " (" + good.commit.shortly() + ')');
   listing.add("  after", printable(bad.answer.message) + " (" + bad.commit.shortly() + ')');
   listing.print();
+  print_repeats(good, bad);
   print_doubts(finding);
   print_comparison(comparison);
 }
@@ -124,9 +149,8 @@ Json verdict_json(const Settings& settings, const Finding& finding, const Compar
   json["commit"] = finding.found() ? facts_json(finding.suspects.front()) : Json(nullptr);
   json["suspects"] = Json::array();
   for (const CommitFacts& facts : finding.suspects) json["suspects"].push_back(facts_json(facts));
-  json["before"] = {
-      {"commit", good.commit.commit}, {"words", good.answer.message}, {"metric", number(good.answer.metric)}};
-  json["after"] = {{"commit", bad.commit.commit}, {"words", bad.answer.message}, {"metric", number(bad.answer.metric)}};
+  json["before"] = end_json(good);
+  json["after"] = end_json(bad);
   json["sessions"] = nullptr;
   if (comparison.not_compared.empty()) {
     const replay::DiffReport& report = comparison.report;
@@ -142,6 +166,7 @@ Json verdict_json(const Settings& settings, const Finding& finding, const Compar
                               {"words", tested.answer.message},
                               {"metric", number(tested.answer.metric)},
                               {"not_repeatable", tested.answer.not_repeatable},
+                              {"sessions_differ", tested.answer.sessions_differ},
                               {"seconds", tested.seconds}});
   }
   return json;

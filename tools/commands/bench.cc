@@ -1,8 +1,11 @@
 // tumble bench: speed, comparison with other engines, growth.
 #include "tools/bench/bench.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "src/base/text.h"
 #include "src/files/output_guard.h"
@@ -16,7 +19,45 @@
 namespace tumble::tools {
 namespace {
 
+/// An option, and the benchmarks that take it.
+struct BenchOption {
+  const char* name;
+  bool is_given;
+  std::vector<std::string_view> belongs_to;
+};
+
+/// An option that would be passed over changes nothing, which its user does not know.
+Status check_belonging(const BenchOptions& options) {
+  const std::vector<std::string_view> own = {"peers",  "table1", "accuracy", "scaling",
+                                             "memory", "live",   "view",     "export"};
+  const std::vector<BenchOption> all = {
+      {"--repeat", options.repeat.has_value(), {"peers", "table1", "scaling", "export"}},
+      {"--budget", options.budget.has_value(), {"table1", "accuracy", "scaling", "live"}},
+      {"--scene", !options.scenes.empty(), {"peers", "memory", "accuracy", "view", "export", "threads"}},
+      {"--engine", !options.engines.empty(), {"peers", "table1", "accuracy"}},
+      {"--measure", options.measure, {"threads"}},
+      {"--large", options.large, {"peers"}},
+      {"--method", !options.method.empty(), {"table1", "scaling", "memory"}},
+      {"--plot", !options.plot.empty(), {"scaling"}},
+      {"--save", !options.save.empty(), own},
+      {"--json", options.json, own}};
+  for (const BenchOption& option : all) {
+    if (!option.is_given || std::ranges::find(option.belongs_to, options.what) != option.belongs_to.end()) continue;
+    std::string names;
+    for (const std::string_view name : option.belongs_to) names += (names.empty() ? "" : ", ") + std::string(name);
+    return bad_input(std::string(option.name) + ": found with bench " + options.what +
+                     ", which has no use for it; wanted with " + names);
+  }
+  return {};
+}
+
+const std::vector<std::string_view> kBenchmarks = {"peers", "table1", "accuracy", "scaling", "memory", "live",
+                                                   "view",  "export", "phases",   "threads", "record", "render"};
+
 Result<Exit> bench(const BenchOptions& options) {
+  if (std::ranges::find(kBenchmarks, options.what) != kBenchmarks.end()) {
+    if (Status ok = check_belonging(options); !ok.ok()) return ok.error();
+  }
   if (!options.method.empty() && options.method != "thesis" && options.method != "layered") {
     return bad_input("--method: found " + in_quotes(options.method) + ", wanted thesis or layered");
   }

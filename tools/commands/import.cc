@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "replay/arrays/array_table.h"
@@ -56,7 +57,10 @@ Result<std::string> read_table(const std::string& path) {
   std::string block(1 << 20, '\0');
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
     const auto size = static_cast<std::size_t>(file.gcount());
-    if (text.empty()) is_archive = block.starts_with("PK");
+    if (text.empty()) {
+      is_archive = block.starts_with("PK");
+      if (std::string wrong = no_table(path, block.substr(0, size)); !wrong.empty()) return bad_input(std::move(wrong));
+    }
     if (const std::size_t zero = block.find('\0'); zero < size && !is_archive) {
       return bad_input(path + ": found a byte 0 at " + std::to_string(text.size() + zero) +
                        ", wanted a table as text in UTF-8");

@@ -6,10 +6,12 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "replay/stream/import_stream.h"
+#include "replay/stream/stream_format.h"
 #include "replay/stream/stream_tail.h"
 #include "src/files/output_file.h"
 #include "src/process/interrupt.h"
@@ -22,6 +24,9 @@
 
 namespace tumble::tools {
 namespace {
+
+constexpr std::string_view kLogStart("\x89tumble\n", 8);  // at byte 8 of a log
+constexpr std::size_t kLogStartAt = 8;
 
 using replay::StreamReader;
 
@@ -94,6 +99,19 @@ void advise_about_tail(const StreamFiles& files, const StreamReader& stream, rep
 }
 
 }  // namespace
+
+std::string no_table(const std::string& path, const std::string& start) {
+  if (start.size() >= kLogStartAt + kLogStart.size() && start.substr(kLogStartAt, kLogStart.size()) == kLogStart) {
+    return path +
+           ": is a log of Tumble already, wanted a table, an archive or a stream; give it to the other commands as it "
+           "is ('tumble info " +
+           path + "')";
+  }
+  const std::string_view magic(reinterpret_cast<const char*>(replay::kStreamMagic.data()), replay::kStreamMagic.size());
+  if (start.empty() || start.size() >= magic.size() || !magic.starts_with(start)) return "";
+  return path + ": is the beginning of a recorder's stream, cut to " + count_text(start.size(), "byte") +
+         ": nothing of the session is in it";
+}
 
 bool is_stream_file(const std::string& path) {
   std::array<char, replay::kStreamMagic.size()> first{};

@@ -33,6 +33,15 @@ std::string distance_text(double distance, const char* unit) {
   return std::isfinite(distance) ? rounded(distance, unit) : "infinite";
 }
 
+/// "1 body only in a.tumble, 2 bodies only in b.tumble", which have no separation.
+std::string only_in_text(const replay::SeparationRow& row, const Sides& sides) {
+  std::string text;
+  for (const auto& [count, side] : {std::pair(row.only_in_a, sides.expected), std::pair(row.only_in_b, sides.actual)}) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + count_text(count, "body") + " only in " + side;
+  }
+  return text;
+}
+
 std::string separation_text(const replay::SeparationRow& row, const Sides& sides) {
   std::string text = distance_text(row.separation, "m");
   if (row.body) text += ", " + sides.body(*row.body);
@@ -80,6 +89,8 @@ void print_metrics(const std::vector<replay::MovedMetric>& moved, const Sides& s
 Json row_json(const replay::SeparationRow& row) {
   return {{"step", row.step},
           {"bodies", row.bodies},
+          {"only_in_a", row.only_in_a},
+          {"only_in_b", row.only_in_b},
           {"gap", number_json(row.separation)},
           {"body", row.body ? Json(*row.body) : Json(nullptr)}};
 }
@@ -112,10 +123,11 @@ void print_headlines(const replay::DifferenceReport& report, const Sides& sides)
   if (report.effect) {
     const replay::Divergence& effect = *report.effect;
     const std::string size = replay::magnitude(effect);
-    listing.add("effect", "step " + std::to_string(effect.step) + ", phase " + effect.phase +
-                              (effect.body ? ", " + sides.body(*effect.body) : "") + ", " + effect.field +
-                              (size.empty() ? "" : ", " + size + " apart") +
-                              (effect.note.empty() ? "" : "; " + effect.note));
+    listing.add("effect",
+                "step " + std::to_string(effect.step) + ", phase " + effect.phase +
+                    (effect.body ? ", " + sides.body(*effect.body) : "") + ", " +
+                    (replay::is_body_missing(effect) ? only_in(effect, sides.expected, sides.actual) : effect.field) +
+                    (size.empty() ? "" : ", " + size + " apart") + (effect.note.empty() ? "" : "; " + effect.note));
   } else if (!report.first.field.empty() && report.first.field != "error") {
     listing.add("effect", "in no state");
   }
@@ -157,15 +169,19 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
     listing.add("  separation above " + rounded(mark.above, "m"),
                 "from step " + std::to_string(mark.step) + ", " + sides.body(mark.body));
   }
-  listing.add("  largest separation",
-              separation_text(separation.largest, sides) + ", step " + std::to_string(separation.largest.step));
-  listing.add("  separation at the end", separation_text(separation.rows.back(), sides));
+  const std::string of_both = separation.bodies_from ? ", of the bodies that both have" : "";
+  listing.add("  largest separation", separation_text(separation.largest, sides) + ", step " +
+                                          std::to_string(separation.largest.step) + of_both);
+  listing.add("  separation at the end", separation_text(separation.rows.back(), sides) + of_both);
   const bool by_number = !separation.contacts_from && separation.had_contacts && !separation.contacts_by_value;
   listing.add("  contacts", by_number ? "the same in number; their values are not compared"
                                       : since(separation.contacts_from, separation.had_contacts));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
-  if (separation.bodies_from)
-    listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) + " on");
+  if (separation.bodies_from) {
+    const std::string alone = only_in_text(separation.rows.back(), sides);
+    listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) +
+                                " on; at the end " + (alone.empty() ? "the same ones" : alone));
+  }
   for (const replay::ChannelSeparation& channel : separation.channels) {
     listing.add("  channel " + printable(channel.name), printable(channel_text(channel)));
   }

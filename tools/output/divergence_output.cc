@@ -34,8 +34,10 @@ std::string value_text(const replay::FieldValue& value) {
 }  // namespace
 
 Json value_json(const replay::FieldValue& value) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? number_json(*number) : std::visit([](const auto& held) { return Json(held); }, value);
+  if (const auto* number = std::get_if<double>(&value)) return number_json(*number);
+  if (const auto* whole = std::get_if<std::uint64_t>(&value)) return *whole;
+  const auto* text = std::get_if<std::string>(&value);
+  return text == nullptr ? Json(nullptr) : Json(*text);
 }
 
 Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first) {
@@ -149,6 +151,11 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
     const bool both = of_names(first.pair->first) && of_names(first.pair->second);
     const std::string ids = std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second);
     listing.add("  pair", both ? printable(first.names) : ids + names);
+  }
+  if (replay::is_body_missing(first)) {
+    listing.add("  found", only_in(first, sides.expected, sides.actual));
+    listing.print();
+    return;
   }
   listing.add("  field", first.field);
   listing.add("  " + sides.expected, value_text(first.expected));

@@ -186,7 +186,7 @@ Json ServedLog::body(std::uint64_t k, sim::BodyId id) {
   const Result<const replay::StepRecord*> record = states_->read(k);
   if (!record.ok()) return {{"why_not", printable(record.error().message)}};
   Json json = body_json(**record, id, log_.header().declared.channels);
-  if (json.is_null()) return {{"why_not", "the state has no such body"}};
+  if (json.is_null()) return {{"why_not", "the state has no such body"}, {"absent", true}};
   return json;
 }
 
@@ -242,7 +242,10 @@ void ServedLog::work() {
       const Lock lock(found_);
       rows_.push_back(row);
       for (const sim::Command& input : inputs) inputs_.push_back({row.step, input});
-      if (scan.record() != nullptr && !scan.record()->extras.bodies.empty()) extras_.push_back(scan.record()->extras);
+      if (scan.record() != nullptr) {  // a chunk's new shapes are told with its first step, ahead of their bodies
+        const replay::Extras& told = scan.record()->extras;
+        if (!told.bodies.empty() || !told.shapes.empty()) extras_.push_back(told);
+      }
       if (scan.states() != nullptr) ways_.add(row.step, *scan.states());
       continue;
     }

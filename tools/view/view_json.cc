@@ -80,9 +80,13 @@ Json shape_json(const replay::Shape& shape) {
     for (int c = 0; c < 3; ++c) points.push_back(short_json(point[c]));
   }
   const auto name = kNames.find(shape.kind);
-  return {
-      {"kind", name == kNames.end() ? "box" : name->second}, {"axis", shape.axis}, {"radius", short_json(shape.radius)},
-      {"half_length", short_json(shape.half_length)},        {"points", points},   {"triangles", shape.triangles}};
+  return {{"kind", name == kNames.end() ? "box" : name->second},
+          {"axis", shape.axis},
+          {"radius", short_json(shape.radius)},
+          {"half_length", short_json(shape.half_length)},
+          {"points", points},
+          {"triangles", shape.triangles},
+          {"words", to_string(shape)}};
 }
 
 std::string vector_text(const sim::Vec3& v, const char* unit) {

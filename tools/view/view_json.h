@@ -21,7 +21,8 @@ namespace tumble::tools {
 Json head_json(const replay::LogReader& log);
 
 /// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column), "name":
-/// {row: name}, "shape": {row: index}, "shapes": [{"kind", "axis", "radius", "half_length", "points", "triangles"}]};
+/// {row: name}, "shape": {row: index}, "shapes": [{"kind", "axis", "radius", "half_length", "points", "triangles",
+/// "words": as `dump` has it}]};
 /// size 0 0 0 for a body that nothing read so far defines.
 Json bodies_json(const replay::ViewedBodies& table);
 

@@ -73,16 +73,16 @@ media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .session .view
 nmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: table-row-group; }\n  .session thead { displa\
 y: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem \
 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type=\
-"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var K0="uplot",j0="u-hz",Q0="u-vt",e_="u-title",t_="u-wrap",n_="u-under",i_="u-over",s_="u-axis",qs="u-off",r_="u-select",o_="u-cursor-x",a_="u-cursor-y",l_="u-\
+"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var K0="uplot",j0="u-hz",Q0="u-vt",e_="u-title",t_="u-wrap",n_="u-under",i_="u-over",s_="u-axis",Ys="u-off",r_="u-select",o_="u-cursor-x",a_="u-cursor-y",l_="u-\
 cursor-pt",c_="u-legend",h_="u-live",u_="u-inline",d_="u-series",f_="u-marker",of="u-label",p_="u-value",So="width",wo="height";var af="bottom",br="left",yh="right",Fh="#000",lf=Fh+"0",vh="mousemove",cf="mousedown",bh="mouseup",hf="mouseenter",uf="mouseleave",df="dblclick",m_="resize",g_="\
 scroll",ff="change",Da="dppxchange",Oh="--",Cr=typeof window<"u",Ah=Cr?document:null,Sr=Cr?window:null,__=Cr?navigator:null,wt,Pa;function Eh(){let i=devicePixelRatio;
-wt!=i&&(wt=i,Pa&&Rh(ff,Pa,Eh),Pa=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Ys(ff,Pa,Eh),Sr.dispatchEvent(
+wt!=i&&(wt=i,Pa&&Rh(ff,Pa,Eh),Pa=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Zs(ff,Pa,Eh),Sr.dispatchEvent(
 new CustomEvent(Da)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Ch(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
 i.style[e]=t+"px"}function mi(i,e,t,n){let s=Ah.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function oi(i,e){return mi("div",i,e)}var pf=new WeakMap;
-function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=pf.get(i);r!=o&&(i.style.transform=r,pf.set(i,r),e<0||t<0||e>n||t>s?Yn(i,qs):Ch(i,qs))}var mf=new WeakMap;
+function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=pf.get(i);r!=o&&(i.style.transform=r,pf.set(i,r),e<0||t<0||e>n||t>s?Yn(i,Ys):Ch(i,Ys))}var mf=new WeakMap;
 function gf(i,e,t){let n=e+t,s=mf.get(i);n!=s&&(mf.set(i,n),i.style.background=e,i.style.borderColor=t)}var _f=new WeakMap;function xf(i,e,t,n){let s=e+""+t,r=_f.
 get(i);s!=r&&(_f.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Bh={passive:!0},x_={...Bh,
-capture:!0};function Ys(i,e,t,n){e.addEventListener(i,t,n?x_:Bh)}function Rh(i,e,t,n){e.removeEventListener(i,t,Bh)}Cr&&Eh();function gi(i,e,t,n){let s;t=t||0,n=
+capture:!0};function Zs(i,e,t,n){e.addEventListener(i,t,n?x_:Bh)}function Rh(i,e,t,n){e.removeEventListener(i,t,Bh)}Cr&&Eh();function gi(i,e,t,n){let s;t=t||0,n=
 n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function $f(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
 s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var qf=i=>i!=null,Yf=i=>i!=null&&i>0,Oa=$f(qf),y_=$f(Yf);function v_(i,e,t,n=0,s=!1){
 let r=s?y_:Oa,o=s?Yf:qf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
@@ -91,26 +91,26 @@ c=a(o(dn(i))),d=l(o(dn(e))),u=wr(t,c),h=wr(t,d);return t==10&&(c<0&&(u=Dt(u,-c))
 let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,yf={mode:3,pad:zh},Ao={pad:0,soft:null,mode:0},b_={min:Ao,max:Ao};function Ua(i,e,t,n){return za(
 t)?vf(i,e,t):(Ao.pad=t,Ao.soft=n?0:null,Ao.mode=n?3:0,vf(i,e,b_))}function Mt(i,e){return i??e}function M_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function vf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
-u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Fn(dn(i),dn(e)),m=Ji(y),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let x=f||y||1e3,w=Ji(x),b=wr(10,Zn(w)),C=x*(f==0?i==0?.1:1:r),S=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,M=Fn(a,S<_&&i>=_?_:_i(_,S)),
+u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Fn(dn(i),dn(e)),g=Ji(y),m=dn(g-p);(f<1e-24||m>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
+0)));let x=f||y||1e3,S=Ji(x),b=wr(10,Zn(S)),C=x*(f==0?i==0?.1:1:r),w=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&w<=c||u==2&&w>=c)?c:Nt,M=Fn(a,w<_&&i>=_?_:_i(_,w)),
 R=x*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Fn(I,P));return M==F&&M==0&&(F=100),[M,F]}var S_=new Intl.
 NumberFormat(Cr?__.language:"en-US"),Vh=i=>S_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Fn=Jn.max,wr=Jn.pow,bf=Jn.sign,Ji=Jn.
 log10,Zf=Jn.log2,w_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Ji((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Fn(i,e),
 t)}function Jf(i){return typeof i=="function"}function gt(i){return Jf(i)?i:()=>i}var T_=()=>{},Kf=i=>i,jf=(i,e)=>e,A_=i=>null,Sf=i=>!0,wf=(i,e)=>i==e,E_=/\.\d*?(?=9{6,}|0{6,})/gm,
-Zs=i=>{if(tp(i)||Ms.has(i))return i;let e="".concat(i),t=e.match(E_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
-concat(Zs(s),"e").concat(r)}return Dt(i,n)};function Xs(i,e){return Zs(Dt(Zs(i/e))*e)}function ka(i,e){return Zs(ai(Zs(i/e))*e)}function Qf(i,e){return Zs(Zn(Zs(
-i/e))*e)}function Dt(i,e=0){if(tp(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ms=new Map;function ep(i){return((""+i).split(".")[1]||"").
+Js=i=>{if(tp(i)||Ss.has(i))return i;let e="".concat(i),t=e.match(E_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+concat(Js(s),"e").concat(r)}return Dt(i,n)};function $s(i,e){return Js(Dt(Js(i/e))*e)}function ka(i,e){return Js(ai(Js(i/e))*e)}function Qf(i,e){return Js(Zn(Js(
+i/e))*e)}function Dt(i,e=0){if(tp(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ss=new Map;function ep(i){return((""+i).split(".")[1]||"").
 length}function Co(i,e,t,n){let s=[],r=n.map(ep);for(let o=e;o<t;o++){let a=dn(o),l=Dt(wr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ms.set(h,u)}}return s}var Eo={},Gh=[],Tr=[null,null],bs=Array.isArray,tp=Number.isInteger,C_=i=>i===
+o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ss.set(h,u)}}return s}var Eo={},Gh=[],Tr=[null,null],Ms=Array.isArray,tp=Number.isInteger,C_=i=>i===
 void 0;function Tf(i){return typeof i=="string"}function za(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function R_(i){return i!=null&&
-typeof i=="object"}var P_=Object.getPrototypeOf(Uint8Array),np="__proto__";function Ar(i,e=za){let t;if(bs(i)){let n=i.find(s=>s!=null);if(bs(n)||e(n)){t=Array(
+typeof i=="object"}var P_=Object.getPrototypeOf(Uint8Array),np="__proto__";function Ar(i,e=za){let t;if(Ms(i)){let n=i.find(s=>s!=null);if(Ms(n)||e(n)){t=Array(
 i.length);for(let s=0;s<i.length;s++)t[s]=Ar(i[s],e)}else t=i.slice()}else if(i instanceof P_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=np&&(t[n]=Ar(i[n],
 e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=np&&(za(i[s])?on(i[s],Ar(n[s])):i[s]=Ar(n[s]))}return i}
 var I_=0,L_=1,N_=2;function D_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
 s++]=null}}}function U_(i,e){if(B_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return k_(o[0])||(o=O_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
 n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:L_,f=[];for(let p=0;p<d.length;p++){
-let y=d[p],m=r.get(l[p]);y===null?h!=I_&&(u[m]=y,h==N_&&f.push(m)):u[m]=y}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+let y=d[p],g=r.get(l[p]);y===null?h!=I_&&(u[g]=y,h==N_&&f.push(g)):u[g]=y}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
 i):queueMicrotask;function O_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
 let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function B_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
 length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function k_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
@@ -124,19 +124,19 @@ getDay()],HH:i=>Mo(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();retu
 function Hh(i,e){e=e||G_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?W_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
 o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var X_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function $_(i,e){let t;return e=="UTC"||e=="Etc/UT\
 C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==X_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var op=i=>i%
-1==0,Fa=[1,2,2.5,5],q_=Co(10,-32,0,Fa),ap=Co(10,0,32,Fa),Y_=ap.filter(op),$s=q_.concat(ap),Wh="\n",lp="{YYYY}",Af=Wh+lp,cp="{M}/{D}",To=Wh+cp,Ia=To+"/{YY}",hp="\
+1==0,Fa=[1,2,2.5,5],q_=Co(10,-32,0,Fa),ap=Co(10,0,32,Fa),Y_=ap.filter(op),qs=q_.concat(ap),Wh="\n",lp="{YYYY}",Af=Wh+lp,cp="{M}/{D}",To=Wh+cp,Ia=To+"/{YY}",hp="\
 {aa}",Z_="{h}:{mm}",Mr=Z_+hp,Ef=Wh+Mr,Cf=":{ss}",Tt=null;function up(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Co(10,0,3,Fa).filter(op):Co(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
 o*25,o*50,o*100]),c=[[o,lp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Af,Tt,Tt,Tt,Tt,Tt,1],[s,cp,Af,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+hp,Ia,Tt,To,Tt,Tt,Tt,1],[t,Mr,Ia,Tt,To,Tt,
-Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,m,g)=>{let x=[],w=m>=o,b=m>=r&&
-m<o,C=u(p),S=Dt(C*i,3),_=Sh(C.getFullYear(),w?0:C.getMonth(),b||w?1:C.getDate()),M=Dt(_*i,3);if(b||w){let R=b?m/r:0,P=w?m/o:0,I=S==M?S:Dt(Sh(_.getFullYear()+P,_.
+Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,g,m)=>{let x=[],S=g>=o,b=g>=r&&
+g<o,C=u(p),w=Dt(C*i,3),_=Sh(C.getFullYear(),S?0:C.getMonth(),b||S?1:C.getDate()),M=Dt(_*i,3);if(b||S){let R=b?g/r:0,P=S?g/o:0,I=w==M?w:Dt(Sh(_.getFullYear()+P,_.
 getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=Sh(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
-x.push(I)}}else{let R=m>=s?s:m,P=Zn(p)-Zn(S),I=M+P+ka(S-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
-G;for(;I=Dt(I+m,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/m,3)*Y>=.7&&x.
+x.push(I)}}else{let R=g>=s?s:g,P=Zn(p)-Zn(w),I=M+P+ka(w-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=g/n,G=h.axes[f]._space,Y=m/
+G;for(;I=Dt(I+g,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/g,3)*Y>=.7&&x.
 push(I)}else x.push(I)}return x}}return[l,c,d]}var[J_,K_,j_]=up(1),[Q_,ex,tx]=up(.001);Co(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),m=y.getFullYear(),
-g=y.getMonth(),x=y.getDate(),w=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),S=m!=l&&a[2]||g!=c&&a[3]||x!=d&&a[4]||w!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-m,c=g,d=x,u=w,h=b,f=C,S(y)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),g=y.getFullYear(),
+m=y.getMonth(),x=y.getDate(),S=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),w=g!=l&&a[2]||m!=c&&a[3]||x!=d&&a[4]||S!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+g,c=m,d=x,u=S,h=b,f=C,w(y)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
 i)}var ix="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Lf(i,e){return(t,n,s,r)=>r==null?Oh:e(i(n))}function sx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
 points.width?t.points.stroke(i,e):null}function rx(i,e){return i.series[e].fill(i,e)}var ox={show:!0,live:!0,isolate:!1,mount:T_,markers:{show:!0,width:2,stroke:sx,
 fill:rx,dash:"solid"},idx:null,idxs:null,values:[]};function ax(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,So,s),zt(n,wo,s);let r=s/-2;zt(n,"marginLef\
@@ -149,9 +149,9 @@ bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},dp={show:!0
 pp=on({},dp,{show:!1}),$h='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
 moji", "Segoe UI Symbol", "Noto Color Emoji"',mp="bold "+$h,gp=1.5,Nf={show:!0,scale:"x",stroke:Fh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:mp,
 side:2,grid:Xh,ticks:fp,border:pp,font:$h,lineGap:gp,rotate:0},fx="Value",px="Time",Df={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function mx(i,e,t,n,s){
-return e.map(r=>r==null?"":Vh(r))}function gx(i,e,t,n,s,r,o){let a=[],l=Ms.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
-return a}function Ih(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Ji:Zf,d=Zn(c(t));s=wr(l,d),l==10&&(s=$s[gi(s,$s)]);let u=t,h=s*l;l==10&&(h=
-$s[gi(h,$s)]);do a.push(u),u=u+s,l==10&&!Ms.has(u)&&(u=Dt(u,Ms.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=$s[gi(h,$s)]));while(u<=n);return a}function _x(i,e,t,n,s,r,o){
+return e.map(r=>r==null?"":Vh(r))}function gx(i,e,t,n,s,r,o){let a=[],l=Ss.get(s)||0;t=o?t:Dt(ka(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
+return a}function Ih(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Ji:Zf,d=Zn(c(t));s=wr(l,d),l==10&&(s=qs[gi(s,qs)]);let u=t,h=s*l;l==10&&(h=
+qs[gi(h,qs)]);do a.push(u),u=u+s,l==10&&!Ss.has(u)&&(u=Dt(u,Ss.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=qs[gi(h,qs)]));while(u<=n);return a}function _x(i,e,t,n,s,r,o){
 let l=i.scales[i.axes[e].scale].asinh,c=n>l?Ih(i,e,Fn(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Ih(i,e,Fn(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
 var _p=/./,xx=/[12357]/,yx=/[125]/,Uf=/1/,Lh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function vx(i,e,t,n,s){let r=i.
 axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?_p:l(7,o)-d>=c?xx:l(5,o)-d>=c?yx:Uf;if(u==Uf){let h=dn(l(1,o)-d);if(h<c)return Lh(
@@ -163,98 +163,98 @@ space*wt);return n[1]-n[0]<=c}var Of={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt
 {scale:"x"}),on({},Of,{scale:"y"})]},kf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:xp,alpha:1,points:{show:wx,filter:null},values:null,min:Nt,max:-Nt,
 idxs:[],path:null,clip:null};function Tx(i,e,t,n,s){return t/10}var yp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},Ax=on({},yp,{time:!1,
 ori:1}),zf={};function vp(i,e){let t=zf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
-t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(zf[i]=t)),t}var Er=1,Nh=2;function Js(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
+t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(zf[i]=t)),t}var Er=1,Nh=2;function Ks(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,y=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,g,m,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
+width,y=a.height,g=i.valToPosH,m=i.valToPosV;return d.ori==0?t(s,l,c,d,u,g,m,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,m,g,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
 n=0,s=Mt(i.bands,Gh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Ex(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ki(i,e,t,n,s,r){
-return Js(i,e,(o,a,l,c,d,u,h,f,p,y,m)=>{let g=o.pxRound,x=c.dir*(c.ori==0?1:-1),w=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let S=g(u(a[b],c,y,f)),_=g(h(l[b],
-d,m,p)),M=g(u(a[C],c,y,f)),R=g(h(r==1?d.max:d.min,d,m,p)),P=new Path2D(s);return w(P,M,R),w(P,S,R),w(P,S,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Ks(i,e,(o,a,l,c,d,u,h,f,p,y,g)=>{let m=o.pxRound,x=c.dir*(c.ori==0?1:-1),S=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let w=m(u(a[b],c,y,f)),_=m(h(l[b],
+d,g,p)),M=m(u(a[C],c,y,f)),R=m(h(r==1?d.max:d.min,d,g,p)),P=new Path2D(s);return S(P,M,R),S(P,w,R),S(P,w,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:Zh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
 d/2,c,n+r+d)}return o}function Cx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Yh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
-0&&y<l?r(i[y]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>Xs(e,i)}function bp(i){let e=i==0?Ga:
+0&&y<l?r(i[y]):f;let m=h+s;p=o>=0&&m>=0&&m<l?r(i[m]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>$s(e,i)}function bp(i){let e=i==0?Ga:
 Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
 var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Rr=(i,e,t)=>{i.lineTo(e,t)},Pr=(i,e,t)=>{i.lineTo(t,e)},Wa=bp(0),Zh=bp(1),Mp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},Sp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},wp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Tp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Ap(i){
-return(e,t,n,s,r)=>Js(e,t,(o,a,l,c,d,u,h,f,p,y,m)=>{let{pxRound:g,points:x}=o,w,b;c.ori==0?(w=Ga,b=Mp):(w=Ha,b=Sp);let C=Dt(x.width*wt,3),S=(x.size-x.width)/2*wt,
-_=Dt(S*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
-d,m,p));w(M,Y+S,W),b(M,Y,W,S,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Js(t,n,(o,a,l,c,d,u,h,f,p,y,m)=>{
-[s,r]=Oa(l,s,r);let g=o.pxRound,x=z=>g(u(z,c,y,f)),w=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let S=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[S==1?s:r]),Q=x(a[s]),se=x(a[r]),
-de=z(S==1?Q+1:se-1);for(let ue=S==1?s:r;ue>=s&&ue<=r;ue+=S){let ee=a[ue],xe=(S==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,w(W)),Y=D=G=
-W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,w(D),w(G),w(Y),w(W)),Ee!=null?(W=Ee,b(M,xe,w(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+S))}
-D!=null&&D!=G&&ce!=K&&C(M,K,w(D),w(G),w(Y),w(W))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?R=!0:D!=null&&b(M,x(a[z]),w(D))}let[I,F]=qh(t,n);if(o.
-fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=w(D),Y=x(a[s]),W=x(a[r]);S==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
-R&&z.push(...Yh(a,l,s,r,S,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,m)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
-F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Js(r,o,(c,d,u,h,f,p,y,m,g,x,w)=>{[a,l]=Oa(u,
-a,l);let b=c.pxRound,{left:C,width:S}=r.bbox,_=Q=>b(p(Q,h,x,m)),M=Q=>b(y(Q,f,w,g)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+return(e,t,n,s,r)=>Ks(e,t,(o,a,l,c,d,u,h,f,p,y,g)=>{let{pxRound:m,points:x}=o,S,b;c.ori==0?(S=Ga,b=Mp):(S=Ha,b=Sp);let C=Dt(x.width*wt,3),w=(x.size-x.width)/2*wt,
+_=Dt(w*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=m(u(a[G],c,y,f)),W=m(h(l[G],
+d,g,p));S(M,Y+w,W),b(M,Y,W,w,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Ks(t,n,(o,a,l,c,d,u,h,f,p,y,g)=>{
+[s,r]=Oa(l,s,r);let m=o.pxRound,x=z=>m(u(z,c,y,f)),S=z=>m(h(z,d,g,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let w=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[w==1?s:r]),Q=x(a[s]),se=x(a[r]),
+de=z(w==1?Q+1:se-1);for(let ue=w==1?s:r;ue>=s&&ue<=r;ue+=w){let ee=a[ue],xe=(w==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,S(W)),Y=D=G=
+W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,b(M,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+w))}
+D!=null&&D!=G&&ce!=K&&C(M,K,S(D),S(G),S(Y),S(W))}else for(let z=w==1?s:r;z>=s&&z<=r;z+=w){let D=l[z];D===null?R=!0:D!=null&&b(M,x(a[z]),S(D))}let[I,F]=qh(t,n);if(o.
+fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=S(D),Y=x(a[s]),W=x(a[r]);w==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
+R&&z.push(...Yh(a,l,s,r,w,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,g)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
+F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Ks(r,o,(c,d,u,h,f,p,y,g,m,x,S)=>{[a,l]=Oa(u,
+a,l);let b=c.pxRound,{left:C,width:w}=r.bbox,_=Q=>b(p(Q,h,x,g)),M=Q=>b(y(Q,f,S,m)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
 flags:Er},I=P.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,R(I,Y,z)),R(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
-if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+S,R(I,W,z));let[ce,K]=qh(r,o);if(c.fill!=null||
+if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+w,R(I,W,z));let[ce,K]=qh(r,o);if(c.fill!=null||
 ce!=0){let Q=P.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);R(Q,W,de),R(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Yh(d,u,a,l,F,_,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,m,g,x,w)}return K!=0&&(P.band=K==2?[
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,g,m,x,S)}return K!=0&&(P.band=K==2?[
 Ki(r,o,a,l,I,-1),Ki(r,o,a,l,I,1)]:Ki(r,o,a,l,I,K)),P})}function Gf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
 if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Lx(i){i=i||Eo;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,m)=>Js(
-f,p,(g,x,w,b,C,S,_,M,R,P,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
-ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
-_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,m),lt=new Map,new Set(ut).
-forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,m),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,m);Qt.unit==2?Ee=Re[0]*P:Ee=S(Re[0],
-b,P,M)-S(0,b,P,M),He=Gf(x,w,S,b,P,M,He),Me=He-Ee+D}else He=Gf(x,w,S,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,g)=>Ks(
+f,p,(m,x,S,b,C,w,_,M,R,P,I)=>{let F=m.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
+ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=m.fillTo(f,p,m.min,m.max,ue),me=F(
+_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(m.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,g),lt=new Map,new Set(ut).
+forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,g),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
+if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,g),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,g);Qt.unit==2?Ee=Re[0]*P:Ee=w(Re[0],
+b,P,M)-w(0,b,P,M),He=Gf(x,S,w,b,P,M,He),Me=He-Ee+D}else He=Gf(x,S,w,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
 (Pt?nt:0);Ee=F(Ph(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(w=$e.values(f,p,y,m),$t=Re.values(f,p,y,m))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:m;Re>=y&&Re<=m;Re+=K){let $e=w[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
-null?x[Re]:Re,Se=S(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Fn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
+new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(S=$e.values(f,p,y,g),$t=Re.values(f,p,y,g))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?y:g;Re>=y&&Re<=g;Re+=K){let $e=S[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
+null?x[Re]:Re,Se=w(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Fn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
 null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he),
-se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
-let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Js(n,s,(a,l,c,d,u,h,f,p,y,m,g)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,w=W=>x(h(W,d,m,p)),b=W=>x(f(W,u,g,y)),C,S,_;d.ori==0?
-(C=Ga,_=Rr,S=wp):(C=Ha,_=Pr,S=Tp);let M=d.dir*(d.ori==0?1:-1),R=w(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=w(K);
-I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,S,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
-fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Yh(l,c,r,o,M,w,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Va(W,d.ori,p,y,m,g)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=m.width==0?m._fill:m._stroke??m._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Ks(n,s,(a,l,c,d,u,h,f,p,y,g,m)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,S=W=>x(h(W,d,g,p)),b=W=>x(f(W,u,m,y)),C,w,_;d.ori==0?
+(C=Ga,_=Rr,w=wp):(C=Ha,_=Pr,w=Tp);let M=d.dir*(d.ori==0?1:-1),R=S(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=S(K);
+I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,w,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
+fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Yh(l,c,r,o,M,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
+Va(W,d.ori,p,y,g,m)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
-3,i[h+1],e[h+1])}return a}var Dh=new Set;function Hf(){for(let i of Dh)i.syncRect(!0)}Cr&&(Ys(m_,Sr,Hf),Ys(g_,Sr,Hf,!0),Ys(Da,Sr,()=>{fn.pxRatio=wt}));var Fx=Cp(),
+3,i[h+1],e[h+1])}return a}var Dh=new Set;function Hf(){for(let i of Dh)i.syncRect(!0)}Cr&&(Zs(m_,Sr,Hf),Zs(g_,Sr,Hf,!0),Zs(Da,Sr,()=>{fn.pxRatio=wt}));var Fx=Cp(),
 Ox=Ap();function Wf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Uh(r,o,e,t))}function Bx(i,e){return i.map((t,n)=>n==
 0?{}:on({},e,t))}function Uh(i,e,t,n){return on({},e==0?t:n,i)}function Rp(i,e,t){return e==null?Tr:[e,t]}var kx=Rp;function zx(i,e,t){return e==null?Tr:Ua(e,t,
 zh,!0)}function Pp(i,e,t,n){return e==null?Tr:Ba(e,t,i.scales[n].log,!1)}var Vx=Pp;function Ip(i,e,t,n){return e==null?Tr:kh(e,t,i.scales[n].log,!1)}var Gx=Ip;function Hx(i,e,t,n,s){
-let r=Fn(Mf(i),Mf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ms.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Xf(i){let e,
+let r=Fn(Mf(i),Mf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ss.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Xf(i){let e,
 t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Wx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=oi(K0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(e_,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(t_,c);Ys("\
-click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),m=Vf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),w=n.axes=Wf(i.axes||
-[],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let S=s==2?x[1].facets[0].scale:x[0].scale,_={axes:Yi,
+root=oi(K0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(e_,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(t_,c);Zs("\
+click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),g=Vf(
+y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let m=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),S=n.axes=Wf(i.axes||
+[],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let w=s==2?x[1].facets[0].scale:x[0].scale,_={axes:Yi,
 series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function R(v){let A=v.distr==3?N=>Ji(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>Mh(N,v.asinh):
 v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function P(v){let A=b[v];if(A==null){let N=(i.scales||Eo)[v]||Eo;if(N.
-from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==S?yp:Ax,N),A.key=v;let U=A.time,H=A.range,J=bs(H);if((v!=S||s==
+from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==w?yp:Ax,N),A.key=v;let U=A.time,H=A.range,J=Ms(H);if((v!=w||s==
 2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?yf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?yf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
-H=(fe,ve,Ne)=>ve==null?Tr:Ua(ve,Ne,ae)}A.range=gt(H||(U?kx:v==S?A.distr==3?Vx:A.distr==4?Gx:Rp:A.distr==3?Pp:A.distr==4?Ip:zx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||Tx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),w.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[S],
+H=(fe,ve,Ne)=>ve==null?Tr:Ua(ve,Ne,ae)}A.range=gt(H||(U?kx:v==w?A.distr==3?Vx:A.distr==4?Gx:Rp:A.distr==3?Pp:A.distr==4?Ip:zx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+A.clamp||Tx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),S.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[w],
 F=I.distr,z,D;I.ori==0?(Yn(c,j0),z=r,D=o):(Yn(c,Q0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Hh,ce=g==1?j_(Y):tx(Y),K=Pf(Y,Rf(g==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/m))),W=i.fmtDate||Hh,ce=m==1?j_(Y):tx(Y),K=Pf(Y,Rf(m==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
 ue=n.cursor=on({},dx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Oh}if(ee)
 if(Ee=mi("table",c_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",of,v).
 textContent=Gt}else Yn(Ee,u_),de.live&&Yn(Ee,h_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Tr;let N=[],U=mi("tr",d_,He,
-He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,qs);let H=mi("th",null,U);if(xe.show){let fe=oi(f_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,Ys);let H=mi("th",null,U);if(xe.show){let fe=oi(f_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
 dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=oi(of,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
 (xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=x.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
 isolate){let Ne=x.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);x.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
 !1),Je&&vt(hf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",p_,U);fe.textContent="--",N.push(fe)}return[U,
-N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(Ys(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
+N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(Zs(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
 (v==null||H==v)&&(Rh(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
 ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=$t=B=v,n.height=en=Re=A,$e=it=0,
-be(),Ge();let N=n.bbox;L=N.left=Xs($e*wt,.5),T=N.top=Xs(it*wt,.5),$=N.width=Xs(B*wt,.5),he=N.height=Xs(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
-let N=fr(A),U=Ci(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function be(){let v=!1,A=!1,N=!1,U=!1;w.forEach(
+be(),Ge();let N=n.bbox;L=N.left=$s($e*wt,.5),T=N.top=$s(it*wt,.5),$=N.width=$s(B*wt,.5),he=N.height=$s(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
+let N=fr(A),U=Ci(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function be(){let v=!1,A=!1,N=!1,U=!1;S.forEach(
 (H,J)=>{if(H.show&&H._show){let{side:ae,_size:fe}=H,ve=ae%2,Ne=H.label!=null?H.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?($e+=De,U=!0):N=!0):(Re-=De,ae==0?(it+=
 De,v=!0):A=!0))}}),Ai[0]=v,Ai[1]=N,Ai[2]=A,Ai[3]=U,B-=di[1]+di[3],$e+=di[3],Re-=di[2]+di[0],it+=di[0]}function Ge(){let v=$e+B,A=it+Re,N=$e,U=it;function H(J,ae){
-switch(J){case 1:return v+=ae,v-ae;case 2:return A+=ae,A-ae;case 3:return N-=ae,N+ae;case 0:return U-=ae,U+ae}}w.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
+switch(J){case 1:return v+=ae,v-ae;case 2:return A+=ae,A-ae;case 3:return N-=ae,N+ae;case 0:return U-=ae,U+ae}}S.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
 J._pos=H(fe,J._size),J.label!=null&&(J._lpos=H(fe,J.labelSize))}})}if(ue.dataIdx==null){let v=ue.hover,A=v.skip=new Set(v.skip??[]);A.add(void 0);let N=v.prox=gt(
 v.prox),U=v.bias??=0;ue.dataIdx=(H,J,ae,fe)=>{if(J==0)return ae;let ve=ae,Ne=N(H,J,ae,fe)??Nt,De=Ne>=0&&Ne<Nt,Fe=I.ori==0?B:Re,tt=ue.left,St=e[0],bt=e[J];if(A.has(
 bt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- >0;)A.has(bt[We])||(pt=We);if(U==0||U==1)for(We=ae;Ye==null&&We++<bt.length;)A.has(
@@ -270,23 +270,23 @@ U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1])
 A>0&&(N=po(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),In.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??x.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),x.splice(
 A,0,v),hr(x[A],A)}n.addSeries=ch;function Aa(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
 me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),In.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Xi(v,A){if(v._show=
-v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:S,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-bs(v.incrs)&&v.incrs.forEach(ae=>{!Ms.has(ae)&&Ms.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?g==1?J_:Q_:$s)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:w,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
+Ms(v.incrs)&&v.incrs.forEach(ae=>{!Ss.has(ae)&&Ss.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?m==1?J_:Q_:qs)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
 U.distr==3?Ih:U.distr==4?_x:gx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
-values;v.values=bs(J)&&!bs(J[0])?gt(J):H?bs(J)?Pf(Y,Rf(J,W)):Tf(J)?nx(Y,J):J||K:J||mx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?vx:U.distr==3&&U.log==2?bx:jf)),
+values;v.values=Ms(J)&&!Ms(J[0])?gt(J):H?Ms(J)?Pf(Y,Rf(J,W)):Tf(J)?nx(Y,J):J||K:J||mx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?vx:U.distr==3&&U.log==2?bx:jf)),
 v.font=Xf(v.font),v.labelFont=Xf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
 oi(s_,h))}}function $i(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Nf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
 !fe?un(Ff.size/2):0),Ne}let mo=n.padding=(i.padding||[$i,$i,$i,$i]).map(v=>gt(Mt(v,$i))),di=n._padding=mo.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?x[0].
-idxs:null,Wn=null,ms=!1;function go(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
+idxs:null,Wn=null,gs=!1;function go(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
 e=[[]]),Wn=e[0],qt=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
-!1){let N=I;N.auto(n,ms)?_o():xs(S,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=go;function _o(){ms=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
-A=null)),xs(S,v,A)}let ur,gs,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=lf,N??=Gh,U??="butt",H??=lf,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=gs&&(u.fillStyle=
-gs=H),A!=dr&&(u.lineWidth=dr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=gs&&(u.fillStyle=gs=A),v!=q&&(u.font=
-q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,ms)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
+!1){let N=I;N.auto(n,gs)?_o():ys(w,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=go;function _o(){gs=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/m):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=null)),ys(w,v,A)}let ur,_s,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=lf,N??=Gh,U??="butt",H??=lf,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=_s&&(u.fillStyle=
+_s=H),A!=dr&&(u.lineWidth=dr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=_s&&(u.fillStyle=_s=A),v!=q&&(u.font=
+q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,gs)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
 U.length-1),fe=N.min==null?v_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Fn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
-for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[S]!=null&&H.auto(n,ms))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
-(G[U]=je)}G[S]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],R_);if(H.min!=null)on(J,H);else if(U!=S||s==2)if(qt==0&&J.from==
+for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[w]!=null&&H.auto(n,gs))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
+(G[U]=je)}G[w]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],R_);if(H.min!=null)on(J,H);else if(U!=w||s==2)if(qt==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){x.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
@@ -304,97 +304,97 @@ Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",N)}}),v&&(u.globalAlpha=Pe=1)}}funct
 function Et(v,A){let N=A?x[v].points:x[v],{stroke:U,fill:H,clip:J,flags:ae,_stroke:fe=N._stroke,_fill:ve=N._fill,_width:Ne=N.width}=N._paths;Ne=Dt(Ne*wt,3);let De=null,
 Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=L-Ne/2,bt=T-Ne/2,pt=$+Ne,Ye=he+Ne;De=new Path2D,De.rect(
 St,bt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
-ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=x[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Eo).band;bs(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
+ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=x[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Eo).band;Ms(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
 bt.show&&Ye&&M_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Er|
 Nh;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
 H,ae),tn(v,J,A)):fe&Nh?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Er&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
 Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=ur=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
-Map?A.forEach((N,U)=>{u.fillStyle=gs=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=w[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
+Map?A.forEach((N,U)=>{u.fillStyle=_s=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=S[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
 U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Hx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,St,bt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,bt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=bt=v[Ye],
-u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),y==1&&u.translate(-De,-De)}function fr(v){let A=!0;return w.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
+u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),y==1&&u.translate(-De,-De)}function fr(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
 min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
 if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,bt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
 N.values(n,N.filter(n,St,U,De,bt),U,De,bt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=ai(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
-let A=!0;return mo.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function Yi(){for(let v=0;v<w.length;v++){let A=w[v];if(!A.show||!A._show)continue;
+let A=!0;return mo.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function Yi(){for(let v=0;v<S.length;v++){let A=S[v];if(!A.show||!A._show)continue;
 let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Dn=A.labelGap*fe,qn=un((A._lpos+Dn)*wt);Ie(A.labelFont[0],ae,"\
-center",N==2?"top":af),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(L+$/2),J=qn);let Ws=Jf(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(Ws,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Dn=>Wn[Dn]):St,pt=De.distr==2?Wn[St[1]]-
-Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=m(A._pos*wt),Xn=(Zt+
+center",N==2?"top":af),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(L+$/2),J=qn);let Xs=Jf(A.label)?A.label(n,v,ve,Ne):A.label;
+u.fillText(Xs,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Dn=>Wn[Dn]):St,pt=De.distr==2?Wn[St[1]]-
+Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=g(A._pos*wt),Xn=(Zt+
 vn)*fe,Nn=Jt+Xn;J=U==0?Nn:0,H=U==1?Nn:0;let si=A.font[0],fi=A.align==1?br:A.align==2?yh:It>0?br:It<0?yh:U==0?"center":N==3?yh:br,Ii=It||U==1?"middle":N==2?"top":
-af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Dn=>m(a(Dn,De,Fe,tt))),pi=A._values;for(let Dn=0;Dn<pi.length;Dn++){let qn=pi[Dn];if(qn!=null){U==0?H=ri[Dn]:
-J=ri[Dn],qn=""+qn;let Ws=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Un=0;Un<Ws.length;Un++){let tf=Ws[Un];It?(u.save(),u.translate(H,J+Un*$n),u.rotate(It),
+af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Dn=>g(a(Dn,De,Fe,tt))),pi=A._values;for(let Dn=0;Dn<pi.length;Dn++){let qn=pi[Dn];if(qn!=null){U==0?H=ri[Dn]:
+J=ri[Dn],qn=""+qn;let Xs=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Un=0;Un<Xs.length;Un++){let tf=Xs[Un];It?(u.save(),u.translate(H,J+Un*$n),u.rotate(It),
 u.fillText(tf,0,0),u.restore()):u.fillText(tf,H,J+Un*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
 grid;Li.show&&nn(ri,Li.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
 2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){x.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
 max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,Ln=!1,Rt=[];function sn(){Ln=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
 Yt||(F_(Od),Yt=!0)}function Ea(v,A=!1){Yt=!0,Ln=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,br,$e),zt(f,"top",it),zt(f,So,B),zt(f,wo,Re),zt(p,br,$e),zt(p,"top",it),zt(p,So,B),zt(p,wo,Re),zt(h,So,$t),zt(h,wo,en),d.width=un($t*wt),d.height=un(en*
-wt),w.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
-zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ch(v,qs)}else Yn(v,qs)}),ur=gs=dr=k=j=q=Z=Te=E=null,Pe=1,vo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
+wt),S.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
+zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ch(v,Ys)}else Yn(v,Ys)}),ur=_s=dr=k=j=q=Z=Te=E=null,Pe=1,vo(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
 ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,pr&&Ni(pr,un(ue.left),0,B,Re),mr&&Ni(mr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
 U!=null&&(Ft[N]*=v,In[N]*=A,Ni(U,ai(Ft[N]),ai(In[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in mh)
 zt(xr,N,Bt[N])}Se=$e,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}$t>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),M.forEach(v=>v()),yn("draw")),Bt.show&&
-ie&&(Ca(Bt),ie=!1),me&&te&&(Hs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(fh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),ms=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
-!1?xs(S,I.min,I.max):Tn()};function hh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
-A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==S&&N.distr==2&&qt>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
-A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=hh;let uh,dh,pr,mr,Bd,kd,gr,_r,zd,Vd,Ot,Ht,_s=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(uh=oi(o_,p)),ue.y&&(dh=oi(a_,p)),
+ie&&(Ca(Bt),ie=!1),me&&te&&(Ws(null,!0,!1),te=!1),de.show&&de.live&&pe&&(fh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),gs=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
+!1?ys(w,I.min,I.max):Tn()};function hh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
+A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==w&&N.distr==2&&qt>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
+A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=hh;let uh,dh,pr,mr,Bd,kd,gr,_r,zd,Vd,Ot,Ht,xs=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(uh=oi(o_,p)),ue.y&&(dh=oi(a_,p)),
 I.ori==0?(pr=uh,mr=dh):(pr=dh,mr=uh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),xr=Bt.show?oi(r_,Bt.over?
 p:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in mh&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function F0(v){if(x[v].show)ee&&
-Ch(nt[v],qs);else if(ee&&Yn(nt[v],qs),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function xs(v,A,N){hh(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
-null&&V0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,F0(J),s==2?(xs(H.facets[0].scale,null,null),xs(H.facets[1].scale,null,null)):xs(
+Ch(nt[v],Ys);else if(ee&&Yn(nt[v],Ys),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function ys(v,A,N){hh(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
+null&&V0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,F0(J),s==2?(ys(H.facets[0].scale,null,null),ys(H.facets[1].scale,null,null)):ys(
 H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&bo("setSeries",n,v,A)}n.setSeries=Ri;function O0(v,A){on(C[v],A)}function B0(v,A){v.fill=gt(v.fill||null),
 v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function k0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=B0,n.setBand=O0,n.delBand=k0;function z0(v,A){x[v].alpha=
-A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Zi,ys,Gs,yr={focus:!0};function V0(v){if(v!=Gs){let A=v==null,N=Oe.alpha!=1;x.
-forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&z0(H,J?1:Oe.alpha)}}),Gs=v,N&&Tn()}}ee&&Je&&vt(uf,Ee,v=>{ue._lock||(Ze(v),Gs!=null&&Ri(null,
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Zi,vs,Hs,yr={focus:!0};function V0(v){if(v!=Hs){let A=v==null,N=Oe.alpha!=1;x.
+forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&z0(H,J?1:Oe.alpha)}}),Hs=v,N&&Tn()}}ee&&Je&&vt(uf,Ee,v=>{ue._lock||(Ze(v),Hs!=null&&Ri(null,
 yr,!0,rn.setSeries))});function Pi(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:$e));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
-H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?w_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function G0(v,A){let N=Pi(v,S,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
+H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?w_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function G0(v,A){let N=Pi(v,w,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
 v=>gi(v,e[0]),n.posToIdx=G0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
-Hs(null,A,N)};function Gd(v,A){zt(xr,br,Bt.left=v),zt(xr,So,Bt.width=A)}function Hd(v,A){zt(xr,"top",Bt.top=v),zt(xr,wo,Bt.height=A)}let xo=I.ori==0?Gd:Hd,yo=I.
+Ws(null,A,N)};function Gd(v,A){zt(xr,br,Bt.left=v),zt(xr,So,Bt.width=A)}function Hd(v,A){zt(xr,"top",Bt.top=v),zt(xr,wo,Bt.height=A)}let xo=I.ori==0?Gd:Hd,yo=I.
 ori==1?Gd:Hd;function H0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
 A[U]}}function fh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):C_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
 s==1&&!lt)&&W0(N,se[N]);H0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=fh;function W0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
-n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Hs(v,A,N){zd=Ot,Vd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(pr&&Ni(pr,un(Ot),0,
-B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Zi=Nt,ys=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<x.length;fe++){
+n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Ws(v,A,N){zd=Ot,Vd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(pr&&Ni(pr,un(Ot),0,
+B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Zi=Nt,vs=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<x.length;fe++){
 let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,yr,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
-fe,S),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<x.length;We++){let kt=x[We],Zt=se[We],
+fe,w),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<x.length;We++){let kt=x[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
 let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Nn=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
 1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Nn,si));if(fi<Zi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
-1?Jt<=$n:Jt>=$n)&&(Zi=fi,ys=We)}else Zi=fi,ys=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=Nn):(si=Nn,fi=Xn);let Ii,$n,ri,pi,Li,Dn,qn=!0,Ws=le.bbox;if(Ws!=null){
-qn=!1;let Un=Ws(n,We);ri=Un.left,pi=Un.top,Ii=Un.width,$n=Un.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Dn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==ys&&Zi<=Oe.
+1?Jt<=$n:Jt>=$n)&&(Zi=fi,vs=We)}else Zi=fi,vs=We}}if(pe||Ce){let si,fi;I.ori==0?(si=Xn,fi=Nn):(si=Nn,fi=Xn);let Ii,$n,ri,pi,Li,Dn,qn=!0,Xs=le.bbox;if(Xs!=null){
+qn=!1;let Un=Xs(n,We);ri=Un.left,pi=Un.top,Ii=Un.width,$n=Un.height}else ri=si,pi=fi,Ii=$n=le.size(n,We);if(Dn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==vs&&Zi<=Oe.
 prox&&(De=ri,Fe=pi,tt=Ii,St=$n,bt=qn,pt=Dn,Ye=Li);else{let Un=ot[We];Un!=null&&(Ft[We]=ri,In[We]=pi,xf(Un,Ii,$n,qn),gf(Un,Dn,Li),Ni(Un,ai(ri),ai(pi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=Gs==null?Zi<=We:Zi>We||ys!=Gs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,In[0]=Fe,xf(Zt,tt,St,bt),gf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
-show&&_s)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:bt,top:pt,width:Ye,
+let We=Oe.prox,kt=Hs==null?Zi<=We:Zi>We||vs!=Hs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,In[0]=Fe,xf(Zt,tt,St,bt),gf(Zt,pt,Ye),Ni(Zt,ai(De),ai(Fe),B,Re))}}}if(Bt.
+show&&xs)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:bt,top:pt,width:Ye,
 height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Nn,si=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);si&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
 b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Nn=z(Zt(vn+It,Fe),Jt,J,0),xo(_i(Xn,Nn),dn(Nn-Xn))):xo(0,J),fi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
 0),Nn=D(Zt(vn+It,tt),Jt,ae,0),yo(_i(Xn,Nn),dn(Nn-Xn))):yo(0,ae)}else gh()}else{let fe=dn(zd-Bd),ve=dn(Vd-kd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
 dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
 0?(De=gr,Fe=Ot):(De=_r,Fe=Ht),xo(_i(De,Fe),dn(Fe-De)),xn||yo(0,ae)),xn&&(I.ori==1?(De=gr,Fe=Ot):(De=_r,Fe=Ht),yo(_i(De,Fe),dn(Fe-De)),_n||xo(0,J)),!_n&&!xn&&(xo(
 0,0),yo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(ef!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
-ori==1?Ot:Ht,ve):null}bo(vh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;Gs==null?Zi<=ve&&Ri(ys,yr,!0,fe):Zi>ve?Ri(null,yr,!0,fe):ys!=Gs&&Ri(ys,yr,!0,
-fe)}}pe&&(de.idx=U,fh()),A!==!1&&yn("setCursor")}let vs=null;Object.defineProperty(n,"rect",{get(){return vs==null&&vo(!1),vs}});function vo(v=!1){v?vs=null:(vs=
-p.getBoundingClientRect(),yn("syncRect",vs))}function Wd(v,A,N,U,H,J,ae){ue._lock||_s&&v!=null&&v.movementX==0&&v.movementY==0||(ph(v,A,N,U,H,J,ae,!1,v!=null),v!=
-null?Hs(null,!0,!0):Hs(A,!0,!1))}function ph(v,A,N,U,H,J,ae,fe,ve){if(vs==null&&vo(!1),Ze(v),v!=null)N=v.clientX-vs.left,U=v.clientY-vs.top;else{if(N<0||U<0){Ot=
+ori==1?Ot:Ht,ve):null}bo(vh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;Hs==null?Zi<=ve&&Ri(vs,yr,!0,fe):Zi>ve?Ri(null,yr,!0,fe):vs!=Hs&&Ri(vs,yr,!0,
+fe)}}pe&&(de.idx=U,fh()),A!==!1&&yn("setCursor")}let bs=null;Object.defineProperty(n,"rect",{get(){return bs==null&&vo(!1),bs}});function vo(v=!1){v?bs=null:(bs=
+p.getBoundingClientRect(),yn("syncRect",bs))}function Wd(v,A,N,U,H,J,ae){ue._lock||xs&&v!=null&&v.movementX==0&&v.movementY==0||(ph(v,A,N,U,H,J,ae,!1,v!=null),v!=
+null?Ws(null,!0,!0):Ws(A,!0,!1))}function ph(v,A,N,U,H,J,ae,fe,ve){if(bs==null&&vo(!1),Ze(v),v!=null)N=v.clientX-bs.left,U=v.clientY-bs.top;else{if(N<0||U<0){Ot=
 -10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[bt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
 B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Nn=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(Nn/Jt),I.
-ori==1){let si=N;N=U,U=si}}ve&&(A==null||A.cursor.event.type==vh)&&((N<=1||N>=B-1)&&(N=Xs(N,B)),(U<=1||U>=Re-1)&&(U=Xs(U,Re))),fe?(Bd=N,kd=U,[gr,_r]=ue.move(n,N,
-U)):(Ot=N,Ht=U)}let mh={width:0,height:0,left:0,top:0};function gh(){Ca(mh,!1)}let Xd,$d,qd,Yd;function Zd(v,A,N,U,H,J,ae){_s=!0,_n=xn=Sn._x=Sn._y=!1,ph(v,A,N,U,
+ori==1){let si=N;N=U,U=si}}ve&&(A==null||A.cursor.event.type==vh)&&((N<=1||N>=B-1)&&(N=$s(N,B)),(U<=1||U>=Re-1)&&(U=$s(U,Re))),fe?(Bd=N,kd=U,[gr,_r]=ue.move(n,N,
+U)):(Ot=N,Ht=U)}let mh={width:0,height:0,left:0,top:0};function gh(){Ca(mh,!1)}let Xd,$d,qd,Yd;function Zd(v,A,N,U,H,J,ae){xs=!0,_n=xn=Sn._x=Sn._y=!1,ph(v,A,N,U,
 H,J,ae,!0,!1),v!=null&&(vt(bh,Ah,Jd,!1),bo(cf,n,gr,_r,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Xd=fe,$d=ve,qd=Ne,Yd=De}function Jd(v,A,N,U,H,J,ae){
-_s=Sn._x=Sn._y=!1,ph(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Xd!=fe||$d!=ve||qd!=Ne||Yd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
-Fe&&tt){let St=fe,bt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,bt=De,pt=fe,Ye=Ne),_n&&xs(S,Pi(St,S),Pi(St+bt,S)),xn)for(let We in b){let kt=b[We];We!=S&&kt.from==null&&
-kt.min!=Nt&&xs(We,Pi(pt+Ye,We),Pi(pt,We))}gh()}else ue.lock&&(ue._lock=!ue._lock,Hs(A,!0,v!=null));v!=null&&(cn(bh,Ah),bo(bh,n,Ot,Ht,B,Re,null))}function X0(v,A,N,U,H,J,ae){
-if(ue._lock)return;Ze(v);let fe=_s;if(_s){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
-ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Hs(null,!0,!0),_s=!1}Ot=-10,Ht=-10,se.fill(null),Hs(null,!0,!0),fe&&(_s=fe)}function Kd(v,A,N,U,H,J,ae){ue._lock||(Ze(
-v),_o(),gh(),v!=null&&bo(df,n,Ot,Ht,B,Re,null))}function jd(){w.forEach(Wx),O(n.width,n.height,!0)}Ys(Da,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
+xs=Sn._x=Sn._y=!1,ph(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Xd!=fe||$d!=ve||qd!=Ne||Yd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
+Fe&&tt){let St=fe,bt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,bt=De,pt=fe,Ye=Ne),_n&&ys(w,Pi(St,w),Pi(St+bt,w)),xn)for(let We in b){let kt=b[We];We!=w&&kt.from==null&&
+kt.min!=Nt&&ys(We,Pi(pt+Ye,We),Pi(pt,We))}gh()}else ue.lock&&(ue._lock=!ue._lock,Ws(A,!0,v!=null));v!=null&&(cn(bh,Ah),bo(bh,n,Ot,Ht,B,Re,null))}function X0(v,A,N,U,H,J,ae){
+if(ue._lock)return;Ze(v);let fe=xs;if(xs){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
+ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Ws(null,!0,!0),xs=!1}Ot=-10,Ht=-10,se.fill(null),Ws(null,!0,!0),fe&&(xs=fe)}function Kd(v,A,N,U,H,J,ae){ue._lock||(Ze(
+v),_o(),gh(),v!=null&&bo(df,n,Ot,Ht,B,Re,null))}function jd(){S.forEach(Wx),O(n.width,n.height,!0)}Zs(Da,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
 Jd,vr.dblclick=Kd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(cf,p,Zd),vt(vh,p,Wd),vt(hf,p,v=>{Ze(v),vo(!1)}),vt(uf,p,X0),
 vt(df,p,Kd),Dh.add(n),n.syncRect=vo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){Ln?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
-[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[S,x[1]?
+[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[w,x[1]?
 x[1].scale:null],match:[wf,wf,Qd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Qd),ue.sync=rn;let ef=rn.key,_h=vp(ef);function bo(v,A,N,U,H,J,ae){
 rn.filters.pub(v,A,N,U,H,J,ae)&&_h.pub(v,A,N,U,H,J,ae)}_h.sub(n);function $0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=$0;function q0(){
-_h.unsub(n),Dh.delete(n),gn.clear(),Rh(Da,Sr,jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=q0;function xh(){yn("init",i,e),go(e||i.data,!1),G[S]?hh(S,G[S]):
-_o(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(hr),w.forEach(Xi),t?t instanceof HTMLElement?(t.appendChild(c),xh()):t(
-n,xh):xh(),n}fn.assign=on;fn.fmtNum=Vh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=kh;fn.orient=Js;fn.pxRatio=wt;fn.join=U_;fn.fmtDate=Hh,fn.tzDate=$_;fn.sync=vp;
+_h.unsub(n),Dh.delete(n),gn.clear(),Rh(Da,Sr,jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=q0;function xh(){yn("init",i,e),go(e||i.data,!1),G[w]?hh(w,G[w]):
+_o(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(hr),S.forEach(Xi),t?t instanceof HTMLElement?(t.appendChild(c),xh()):t(
+n,xh):xh(),n}fn.assign=on;fn.fmtNum=Vh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=kh;fn.orient=Ks;fn.pxRatio=wt;fn.join=U_;fn.fmtDate=Hh,fn.tzDate=$_;fn.sync=vp;
 {fn.addGap=Cx,fn.clipGaps=Va;let i=fn.paths={points:Ap};i.linear=Cp,i.stepped=Ix,i.bars=Lx,i.spline=Dx}function ji(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
 leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function Xa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
@@ -425,17 +425,17 @@ t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{clas
 "role","img"),u.setAttribute("aria-label",Qx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
 Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>jx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
 hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Lp})})},show_step(d){
-for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var ey=700,Kh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Dp(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var ey=700,Kh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Dp(i){let e=S=>i.querySelector('figure[data-kind="'.concat(S,
 '"]'));if(!e("expected")||!e("actual"))return;let t=Kh(e("expected"),"expected"),n=Kh(e("actual"),"actual"),s=e("difference")?Kh(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
-blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=w=>{n.style.clipPath="inset(0 0 0 ".concat(
-w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
-ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let w=f!==null;if(m(),g(!1),w)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},ey)}),
-h.addEventListener("click",()=>{m(),g(!p),y(Number(c.value))}),m(),g(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
+blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=S=>{n.style.clipPath="inset(0 0 0 ".concat(
+S,"%)"),r.style.left="".concat(S,"%"),r.hidden=S<=0||S>=100||p,o.hidden=S<=0||p,a.hidden=S>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
+ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},g=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},m=S=>{p=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{g(),m(!1),y(Number(c.value))}),u.addEventListener("\
+click",()=>{let S=f!==null;if(g(),m(!1),S)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},ey)}),
+h.addEventListener("click",()=>{g(),m(!p),y(Number(c.value))}),g(),m(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,x))}var Op={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Bp=Object.
 keys(Op),Up={name:i=>i.dataset.name,verdict:i=>Bp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},ty=(i,e)=>i<
 e?-1:i>e?1:0;function ny(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*ty(Up[e](s),Up[e](r)));i.append(...n)}function iy(i){let e=[...i.querySelectorAll("th[dat\
@@ -447,9 +447,9 @@ n=Fp("Verdict",Bp.filter(l=>t("verdict").includes(l)),l=>Op[l]),s=Fp("Category",
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
 ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(X("div",{className:"filters"},n.place,s.place,
-X("label",{},"Name",r),o))}var xm=0,Pu=1,ym=2;var ua=1,vm=2,ro=3,Fs=0,zn=1,Vi=2,tr=0,oo=1,Iu=2,Lu=3,Nu=4,bm=5;var nr=100,Mm=101,Sm=102,wm=103,Tm=104,Am=200,Em=201,Cm=202,Rm=203,Du=204,Uu=205,Pm=206,Im=207,Lm=208,Nm=209,Dm=210,Um=211,Fm=212,Om=213,Bm=214,xl=0,yl=1,vl=2,Yr=3,
-bl=4,Ml=5,Sl=6,wl=7,jl=0,km=1,zm=2,Gi=0,Fu=1,Ou=2,Bu=3,ku=4,zu=5,Vu=6,Gu=7;var Hu=300,ir=301,ao=302,Ql=303,ec=304,Tl=1e3,Oi=1001,Al=1002,Mn=1003,Vm=1004;var da=1005;var Bn=1006,tc=1007;var us=1008;var Hn=1009,Wu=1010,Xu=1011,lo=1012,nc=1013,Mi=1014,ui=1015,Si=1016,ic=1017,sc=1018,sr=1020,$u=35902,qu=35899,Yu=1021,Zu=1022,wi=1023,rs=1026,ds=1027,rc=1028,oc=1029,
-Os=1030,ac=1031;var lc=1033,fa=33776,pa=33777,ma=33778,ga=33779,cc=35840,hc=35841,uc=35842,dc=35843,fc=36196,pc=37492,mc=37496,gc=37488,_c=37489,_a=37490,xc=37491,yc=37808,vc=37809,
+X("label",{},"Name",r),o))}var xm=0,Pu=1,ym=2;var ua=1,vm=2,ro=3,Os=0,zn=1,Vi=2,nr=0,oo=1,Iu=2,Lu=3,Nu=4,bm=5;var ir=100,Mm=101,Sm=102,wm=103,Tm=104,Am=200,Em=201,Cm=202,Rm=203,Du=204,Uu=205,Pm=206,Im=207,Lm=208,Nm=209,Dm=210,Um=211,Fm=212,Om=213,Bm=214,xl=0,yl=1,vl=2,Yr=3,
+bl=4,Ml=5,Sl=6,wl=7,jl=0,km=1,zm=2,Gi=0,Fu=1,Ou=2,Bu=3,ku=4,zu=5,Vu=6,Gu=7;var Hu=300,sr=301,ao=302,Ql=303,ec=304,Tl=1e3,Oi=1001,Al=1002,Mn=1003,Vm=1004;var da=1005;var Bn=1006,tc=1007;var us=1008;var Hn=1009,Wu=1010,Xu=1011,lo=1012,nc=1013,Mi=1014,ui=1015,Si=1016,ic=1017,sc=1018,rr=1020,$u=35902,qu=35899,Yu=1021,Zu=1022,wi=1023,rs=1026,ds=1027,rc=1028,oc=1029,
+Bs=1030,ac=1031;var lc=1033,fa=33776,pa=33777,ma=33778,ga=33779,cc=35840,hc=35841,uc=35842,dc=35843,fc=36196,pc=37492,mc=37496,gc=37488,_c=37489,_a=37490,xc=37491,yc=37808,vc=37809,
 bc=37810,Mc=37811,Sc=37812,wc=37813,Tc=37814,Ac=37815,Ec=37816,Cc=37817,Rc=37818,Pc=37819,Ic=37820,Lc=37821,Nc=36492,Dc=36494,Uc=36495,Fc=36283,Oc=36284,xa=36285,
 Bc=36286;var Bo=2300,El=2301,gl=2302,Mu=2303,Su=2400,wu=2401,Tu=2402;var Gm=3200;var kc=0,Hm=1,fs="",Qn="srgb",ko="srgb-linear",zo="linear",At="srgb";var _l=7680;var Wm=519,Xm=512,$m=513,qm=514,Ju=515,Ym=516,Zm=517,Ku=518,ju=519,Jm=35044;var Qu="300 es",ci=2e3,Zr=2001;function sy(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function ry(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Vo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Km(){
 let i=Vo("canvas");return i.style.display="block",i}var zp={},Jr=null;function ed(...i){let e="THREE."+i.shift();Jr?Jr("log",e,...i):console.log(e,...i)}function jm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
@@ -497,8 +497,8 @@ y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){retur
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
 x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},kn=class{constructor(e=0,t=0,n=0,s=1){
 this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],p=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let m=l*h+c*f+d*p+u*y;m<0&&(h=-h,f=-f,p=-p,y=-y,m=-m);let g=1-a;if(m<.9995){let x=Math.acos(m),w=Math.sin(x);g=Math.sin(
-g*x)/w,a=Math.sin(a*x)/w,l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
+y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let g=l*h+c*f+d*p+u*y;g<0&&(h=-h,f=-f,p=-p,y=-y,g=-g);let m=1-a;if(g<.9995){let x=Math.acos(g),S=Math.sin(x);m=Math.sin(
+m*x)/S,a=Math.sin(a*x)/S,l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a}else{l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
 u*=x}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
 a*p+d*u+l*f-c*h,e[t+1]=l*p+d*h+c*u-a*f,e[t+2]=c*p+d*f+a*h-l*u,e[t+3]=d*p-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
@@ -573,8 +573,8 @@ let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],m=s[3],g=s[6],x=s[1],w=s[4],b=s[7],C=s[2],S=s[5],_=s[8];return r[0]=
-o*y+a*x+l*C,r[3]=o*m+a*w+l*S,r[6]=o*g+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*m+d*w+u*S,r[7]=c*g+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*m+f*w+p*S,r[8]=h*g+f*b+p*_,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],g=s[3],m=s[6],x=s[1],S=s[4],b=s[7],C=s[2],w=s[5],_=s[8];return r[0]=
+o*y+a*x+l*C,r[3]=o*g+a*S+l*w,r[6]=o*m+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*g+d*S+u*w,r[7]=c*m+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*g+f*S+p*w,r[8]=h*m+f*b+p*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
 d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
@@ -653,11 +653,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],m=l[6],g=l[10];if(Math.abs(
-d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-m)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+m)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let w=(c+1)/2,b=(f+1)/2,C=(g+1)/2,S=(d+h)/4,_=(u+y)/4,M=(p+m)/4;return w>b&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=_/n):b>C?b<.01?
-(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=S/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
-sqrt((m-p)*(m-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(m-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],g=l[6],m=l[10];if(Math.abs(
+d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-g)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+g)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let S=(c+1)/2,b=(f+1)/2,C=(m+1)/2,w=(d+h)/4,_=(u+y)/4,M=(p+g)/4;return S>b&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=w/n,r=_/n):b>C?b<.01?
+(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=w/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
+sqrt((g-p)*(g-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(g-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=at(this.x,e.x,t.x),this.y=at(this.y,e.y,t.y),this.z=at(this.z,e.z,t.z),this.w=at(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -701,9 +701,9 @@ e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=
 !0}},Go=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
 minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
 this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Il=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
-minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,m){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
-c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=p,g[11]=y,g[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=
+c,m[6]=d,m[10]=u,m[14]=h,m[3]=f,m[7]=p,m[11]=y,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
@@ -718,23 +718,23 @@ f*a,t[1]=f+p*a,t[5]=o*d,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order===
 y*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=y-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
 d,t[6]=f*u+p,t[10]=h-y*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+y,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
 y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(dy,e,fy)}lookAt(e,t,n){let s=this.elements;
-return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ss.crossVectors(n,Kn),Ss.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
-Ss.crossVectors(n,Kn)),Ss.normalize(),$a.crossVectors(Kn,Ss),s[0]=Ss.x,s[4]=$a.x,s[8]=Kn.x,s[1]=Ss.y,s[5]=$a.y,s[9]=Kn.y,s[2]=Ss.z,s[6]=$a.z,s[10]=Kn.z,this}multiply(e){
+return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),ws.crossVectors(n,Kn),ws.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
+ws.crossVectors(n,Kn)),ws.normalize(),$a.crossVectors(Kn,ws),s[0]=ws.x,s[4]=$a.x,s[8]=Kn.x,s[1]=ws.y,s[5]=$a.y,s[9]=Kn.y,s[2]=ws.z,s[6]=$a.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],m=n[10],g=n[14],x=n[3],w=n[7],b=n[11],C=n[15],S=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
-z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*P+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*R+a*z+l*W+c*
-se,r[1]=d*S+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*S+y*P+m*D+g*ce,r[6]=p*_+y*I+m*G+g*K,r[10]=p*M+y*F+m*Y+g*Q,r[14]=
-p*R+y*z+m*W+g*se,r[3]=x*S+w*P+b*D+C*ce,r[7]=x*_+w*I+b*G+C*K,r[11]=x*M+w*F+b*Y+C*Q,r[15]=x*R+w*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],g=n[10],m=n[14],x=n[3],S=n[7],b=n[11],C=n[15],w=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
+z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*w+a*P+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*R+a*z+l*W+c*
+se,r[1]=d*w+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*w+y*P+g*D+m*ce,r[6]=p*_+y*I+g*G+m*K,r[10]=p*M+y*F+g*Y+m*Q,r[14]=
+p*R+y*z+g*W+m*se,r[3]=x*w+S*P+b*D+C*ce,r[7]=x*_+S*I+b*G+C*K,r[11]=x*M+S*F+b*Y+C*Q,r[15]=x*R+S*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],m=e[11],g=e[15],x=l*f-c*h,w=a*f-c*u,b=a*h-l*u,C=o*f-c*d,S=o*
-h-l*d,_=o*u-a*d;return t*(y*x-m*w+g*b)-n*(p*x-m*C+g*S)+s*(p*w-y*C+g*_)-r*(p*b-y*S+m*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],g=e[11],m=e[15],x=l*f-c*h,S=a*f-c*u,b=a*h-l*u,C=o*f-c*d,w=o*
+h-l*d,_=o*u-a*d;return t*(y*x-g*S+m*b)-n*(p*x-g*C+m*w)+s*(p*S-y*C+m*_)-r*(p*b-y*w+g*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],p=e[12],y=e[13],m=e[14],g=e[15],x=t*a-n*o,w=t*l-s*o,b=t*c-r*o,C=n*l-s*a,S=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*m-h*p,P=d*g-f*p,I=u*m-h*y,F=u*g-f*y,z=h*
-g-f*m,D=x*z-w*F+b*I+C*P-S*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-m*
-S+g*C)*G,e[3]=(h*S-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(m*b-p*_-g*w)*G,e[7]=(d*_-h*b+f*w)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
-(p*S-y*b+g*x)*G,e[11]=(u*b-d*S-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*w-p*C-m*x)*G,e[15]=(d*C-u*w+h*x)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],p=e[12],y=e[13],g=e[14],m=e[15],x=t*a-n*o,S=t*l-s*o,b=t*c-r*o,C=n*l-s*a,w=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*g-h*p,P=d*m-f*p,I=u*g-h*y,F=u*m-f*y,z=h*
+m-f*g,D=x*z-S*F+b*I+C*P-w*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-g*
+w+m*C)*G,e[3]=(h*w-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(g*b-p*_-m*S)*G,e[7]=(d*_-h*b+f*S)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
+(p*w-y*b+m*x)*G,e[11]=(u*b-d*w-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*S-p*C-g*x)*G,e[15]=(d*C-u*S+h*x)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -742,8 +742,8 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,m=o*u,g=a*u,x=l*c,w=l*d,b=l*u,C=n.x,S=n.y,_=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+b)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
-b)*S,s[5]=(1-(h+g))*S,s[6]=(m+x)*S,s[7]=0,s[8]=(p+w)*_,s[9]=(m-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,g=o*u,m=a*u,x=l*c,S=l*d,b=l*u,C=n.x,w=n.y,_=n.z;return s[0]=(1-(y+m))*C,s[1]=(f+b)*C,s[2]=(p-S)*C,s[3]=0,s[4]=(f-
+b)*w,s[5]=(1-(h+m))*w,s[6]=(g+x)*w,s[7]=0,s[8]=(p+S)*_,s[9]=(g-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Lr.set(s[0],s[1],s[2]).length(),a=Lr.
 set(s[4],s[5],s[6]).length(),l=Lr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=ci,l=!1){
@@ -755,7 +755,7 @@ s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===ci)p=-
 y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
 6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,dy=new V(
-0,0,0),fy=new V(1,1,1),Ss=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new kn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+0,0,0),fy=new V(1,1,1),ws=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new kn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -853,8 +853,8 @@ _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatch
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
 r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){
-let m=t.getJointPose(y,n),g=this._getHandJoint(c,y);m!==null&&(g.matrix.fromArray(m.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
-!0,g.jointRadius=m.radius),g.visible=m!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
+let g=t.getJointPose(y,n),m=this._getHandJoint(c,y);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
+!0,m.jointRadius=g.radius),m.visible=g!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
 pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.
 pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
 fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
@@ -879,7 +879,7 @@ olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:143157
 papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,
 royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,
 slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,
-violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},ws={h:0,s:0,l:0},Ya={h:0,s:0,l:0};function ru(i,e,t){return t<
+violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Ts={h:0,s:0,l:0},Ya={h:0,s:0,l:0};function ru(i,e,t){return t<
 0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var rt=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
@@ -901,12 +901,12 @@ workingToColorSpace(Cn.copy(this),e),Math.round(at(Cn.r*255,0,255))*65536+Math.r
 r),a=Math.min(n,s,r),l,c,d=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=d<=.5?u/(o+a):u/(2-o-a),o){case n:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-n)/u+2;break;case r:
 l=(n-s)/u+4;break}l/=6}return e.h=l,e.s=c,e.l=d,e}getRGB(e,t=_t.workingColorSpace){return _t.workingToColorSpace(Cn.copy(this),t),e.r=Cn.r,e.g=Cn.g,e.b=Cn.b,e}getStyle(e=Qn){
 _t.workingToColorSpace(Cn.copy(this),e);let t=Cn.r,n=Cn.g,s=Cn.b;return e!==Qn?"color(".concat(e," ").concat(t.toFixed(3)," ").concat(n.toFixed(3)," ").concat(s.
-toFixed(3),")"):"rgb(".concat(Math.round(t*255),",").concat(Math.round(n*255),",").concat(Math.round(s*255),")")}offsetHSL(e,t,n){return this.getHSL(ws),this.setHSL(
-ws.h+e,ws.s+t,ws.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){
+toFixed(3),")"):"rgb(".concat(Math.round(t*255),",").concat(Math.round(n*255),",").concat(Math.round(s*255),")")}offsetHSL(e,t,n){return this.getHSL(Ts),this.setHSL(
+Ts.h+e,Ts.s+t,Ts.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){
 return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){
 return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-
 this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(
-ws),e.getHSL(Ya);let n=Qh(ws.h,Ya.h,t),s=Qh(ws.s,Ya.s,t),r=Qh(ws.l,Ya.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=
+Ts),e.getHSL(Ya);let n=Qh(Ts.h,Ya.h,t),s=Qh(Ts.s,Ya.s,t),r=Qh(Ts.l,Ya.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
@@ -935,8 +935,8 @@ e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a
 return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,n),Fr.subVectors(r,n),au.subVectors(e,n);let l=Ur.
 dot(au),c=Fr.dot(au);if(l<=0&&c<=0)return t.copy(n);lu.subVectors(e,s);let d=Ur.dot(lu),u=Fr.dot(lu);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
 d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);cu.subVectors(e,r);let f=Ur.dot(cu),p=Fr.dot(cu);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-Kp,a);let g=1/(m+y+h);return o=y*g,a=h*g,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let g=d*p-f*u;if(g<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Kp,a);let m=1/(g+y+h);return o=y*m,a=h*m,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},ki=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(vi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(vi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -956,9 +956,9 @@ max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y
 e.center,vi),vi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):
 (t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.
 min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){
-if(this.isEmpty())return!1;this.getCenter(Io),Ja.subVectors(this.max,Io),Or.subVectors(e.a,Io),Br.subVectors(e.b,Io),kr.subVectors(e.c,Io),Ts.subVectors(Br,Or),
-As.subVectors(kr,Br),Ks.subVectors(Or,kr);let t=[0,-Ts.z,Ts.y,0,-As.z,As.y,0,-Ks.z,Ks.y,Ts.z,0,-Ts.x,As.z,0,-As.x,Ks.z,0,-Ks.x,-Ts.y,Ts.x,0,-As.y,As.x,0,-Ks.y,Ks.
-x,0];return!fu(t,Or,Br,kr,Ja)||(t=[1,0,0,0,1,0,0,0,1],!fu(t,Or,Br,kr,Ja))?!1:(Ka.crossVectors(Ts,As),t=[Ka.x,Ka.y,Ka.z],fu(t,Or,Br,kr,Ja))}clampPoint(e,t){return t.
+if(this.isEmpty())return!1;this.getCenter(Io),Ja.subVectors(this.max,Io),Or.subVectors(e.a,Io),Br.subVectors(e.b,Io),kr.subVectors(e.c,Io),As.subVectors(Br,Or),
+Es.subVectors(kr,Br),js.subVectors(Or,kr);let t=[0,-As.z,As.y,0,-Es.z,Es.y,0,-js.z,js.y,As.z,0,-As.x,Es.z,0,-Es.x,js.z,0,-js.x,-As.y,As.x,0,-Es.y,Es.x,0,-js.y,js.
+x,0];return!fu(t,Or,Br,kr,Ja)||(t=[1,0,0,0,1,0,0,0,1],!fu(t,Or,Br,kr,Ja))?!1:(Ka.crossVectors(As,Es),t=[Ka.x,Ka.y,Ka.z],fu(t,Or,Br,kr,Ja))}clampPoint(e,t){return t.
 copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,vi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(
 e.center),e.radius=this.getSize(vi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.
 min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(ns[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),ns[1].set(this.min.
@@ -966,9 +966,9 @@ x,this.min.y,this.max.z).applyMatrix4(e),ns[2].set(this.min.x,this.max.y,this.mi
 ns[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),ns[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),ns[6].set(this.max.x,this.max.y,this.min.
 z).applyMatrix4(e),ns[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(ns),this)}translate(e){return this.min.add(e),this.max.add(e),
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
-fromArray(e.min),this.max.fromArray(e.max),this}},ns=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Za=new ki,Or=new V,Br=new V,kr=new V,Ts=new V,As=new V,
-Ks=new V,Io=new V,Ja=new V,Ka=new V,js=new V;function fu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){js.fromArray(i,r);let a=s.x*Math.abs(js.x)+s.y*Math.abs(
-js.y)+s.z*Math.abs(js.z),l=e.dot(js),c=t.dot(js),d=n.dot(js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,yy=0,bi=class extends Bi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+fromArray(e.min),this.max.fromArray(e.max),this}},ns=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Za=new ki,Or=new V,Br=new V,kr=new V,As=new V,Es=new V,
+js=new V,Io=new V,Ja=new V,Ka=new V,Qs=new V;function fu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Qs.fromArray(i,r);let a=s.x*Math.abs(Qs.x)+s.y*Math.abs(
+Qs.y)+s.z*Math.abs(Qs.z),l=e.dot(Qs),c=t.dot(Qs),d=n.dot(Qs);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,yy=0,bi=class extends Bi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
 Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:yy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
 t:0,this.normalized=n,this.usage=Jm,this.updateRanges=[],this.gpuType=ui,this.version=0,this._normalizationScale=e!==void 0?td(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
@@ -1037,21 +1037,21 @@ Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "positio
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new bi(new Float32Array(
 4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let R=0;R<n.count;R++)a[R]=new V,l[R]=new V;let d=new V,u=new V,h=new V,
-f=new st,p=new st,y=new st,m=new V,g=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
-fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(m.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),g.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(m),a[P].add(m),
-a[I].add(m),l[R].add(g),l[P].add(g),l[I].add(g))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let R=0,P=w.length;R<P;++R){let I=w[R],F=I.start,
-z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,S=new V,_=new V;function M(R){S.fromBufferAttribute(s,R),_.copy(
-S);let P=a[R];b.copy(P),b.sub(S.multiplyScalar(S.dot(P))).normalize(),C.crossVectors(_,P);let F=C.dot(l[R])<0?-1:1;o.setXYZW(R,b.x,b.y,b.z,F)}for(let R=0,P=n.count;R<
+f=new st,p=new st,y=new st,g=new V,m=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
+fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(g.copy(
+u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),m.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(g),a[P].add(g),
+a[I].add(g),l[R].add(m),l[P].add(m),l[I].add(m))}let S=this.groups;S.length===0&&(S=[{start:0,count:e.count}]);for(let R=0,P=S.length;R<P;++R){let I=S[R],F=I.start,
+z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,w=new V,_=new V;function M(R){w.fromBufferAttribute(s,R),_.copy(
+w);let P=a[R];b.copy(P),b.sub(w.multiplyScalar(w.dot(P))).normalize(),C.crossVectors(_,P);let F=C.dot(l[R])<0?-1:1;o.setXYZW(R,b.x,b.y,b.z,F)}for(let R=0,P=n.count;R<
 P;++R)c[R]&&M(R);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new bi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
-r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(
-t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,m),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
-c.fromBufferAttribute(n,m),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
+r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),g=e.getX(h+2);s.fromBufferAttribute(
+t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,g),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
+c.fromBufferAttribute(n,g),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(g,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),n.setXYZ(h+0,d.x,d.y,d.z),
 n.setXYZ(h+1,d.x,d.y,d.z),n.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
 n;t++)bn.fromBufferAttribute(e,t),bn.normalize(),e.setXYZ(t,bn.x,bn.y,bn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
-l.length*d),f=0,p=0;for(let y=0,m=l.length;y<m;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let g=0;g<d;g++)h[p++]=c[f++]}return new bi(
+l.length*d),f=0,p=0;for(let y=0,g=l.length;y<g;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let m=0;m<d;m++)h[p++]=c[f++]}return new bi(
 h,d,u)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
 for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=e(
 h,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
@@ -1080,8 +1080,8 @@ gu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.cop
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
 this.constant=e.constant,this}},wy=0,ls=class extends Bi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:wy++}),this.uuid=ya(),this.
-name="",this.type="Material",this.blending=oo,this.side=Fs,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Du,this.blendDst=
-Uu,this.blendEquation=nr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
+name="",this.type="Material",this.blending=oo,this.side=Os,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Du,this.blendDst=
+Uu,this.blendEquation=ir,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
 Yr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Wm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=_l,this.stencilZFail=
 _l,this.stencilZPass=_l,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
@@ -1218,9 +1218,9 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,is)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,p=t.x-o.x,
-y=t.y-o.y,m=t.z-o.z,g=n.x-o.x,x=n.y-o.y,w=n.z-o.z,b=Math.abs(l),C=Math.abs(c),S=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=S?(R=l,F=u,G=p,ce=g,l>=0?(_=c,M=
-d,P=h,I=f,z=y,D=m,Y=x,W=w):(_=d,M=c,P=f,I=h,z=m,D=y,Y=w,W=x)):C>=S?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=m,D=p,Y=w,W=g):(_=l,M=d,P=u,I=f,z=p,D=m,Y=g,W=w)):(R=
-d,F=f,G=m,ce=w,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=g,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=g)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
+y=t.y-o.y,g=t.z-o.z,m=n.x-o.x,x=n.y-o.y,S=n.z-o.z,b=Math.abs(l),C=Math.abs(c),w=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=w?(R=l,F=u,G=p,ce=m,l>=0?(_=c,M=
+d,P=h,I=f,z=y,D=g,Y=x,W=S):(_=d,M=c,P=f,I=h,z=g,D=y,Y=S,W=x)):C>=w?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=g,D=p,Y=S,W=m):(_=l,M=d,P=u,I=f,z=p,D=g,Y=m,W=S)):(R=
+d,F=f,G=g,ce=S,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=m,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=m)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
 Q*G,xe=Y-K*ce,Ee=W-Q*ce,Me=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(Me<0||He<0||nt<0)return null}else if((Me<0||He<0||nt<0)&&(Me>0||He>0||nt>0))return null;
 let Ve=Me+He+nt;if(Ve===0)return null;let ut=se*(Me*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
@@ -1230,7 +1230,7 @@ this.combine=jl,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,t
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
 this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.
 envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=
-e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},jp=new xt,Qs=new eo,tl=new as,Qp=new V,
+e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},jp=new xt,er=new eo,tl=new as,Qp=new V,
 nl=new V,il=new V,sl=new V,xu=new V,rl=new V,em=new V,ol=new V,hi=class extends wn{constructor(e=new ln,t=new cs){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
 e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.
 morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.
@@ -1240,25 +1240,25 @@ this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttr
 let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&
 a){rl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(xu.fromBufferAttribute(u,e),o?rl.addScaledVector(xu,d):rl.addScaledVector(xu.sub(t),d))}
 t.add(rl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
-null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),Qs.copy(e.ray).recast(e.near),!(tl.containsPoint(Qs.origin)===!1&&(Qs.intersectSphere(
-tl,Qp)===null||Qs.origin.distanceToSquared(Qp)>(e.far-e.near)**2))&&(jp.copy(r).invert(),Qs.copy(e.ray).applyMatrix4(jp),!(n.boundingBox!==null&&Qs.intersectsBox(
-n.boundingBox)===!1)&&this._computeIntersections(e,t,Qs)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.
-materialIndex],x=Math.max(m.start,f.start),w=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=a.getX(b),_=a.getX(b+1),
-M=a.getX(b+2);s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=a.getX(m),w=a.getX(m+1),b=a.getX(m+2);s=al(this,o,e,n,c,d,u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let m=h[p],g=o[m.materialIndex],x=Math.max(m.start,f.start),w=Math.min(l.count,
-Math.min(m.start+m.count,f.start+f.count));for(let b=x,C=w;b<C;b+=3){let S=b,_=b+1,M=b+2;s=al(this,g,e,n,c,d,u,S,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
-m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let m=p,g=y;m<g;m+=3){let x=m,w=m+1,b=m+2;s=al(this,o,e,n,c,d,
-u,x,w,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
-s,r,o,e.side===Fs,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
+null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),er.copy(e.ray).recast(e.near),!(tl.containsPoint(er.origin)===!1&&(er.intersectSphere(
+tl,Qp)===null||er.origin.distanceToSquared(Qp)>(e.far-e.near)**2))&&(jp.copy(r).invert(),er.copy(e.ray).applyMatrix4(jp),!(n.boundingBox!==null&&er.intersectsBox(
+n.boundingBox)===!1)&&this._computeIntersections(e,t,er)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
+c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.
+materialIndex],x=Math.max(g.start,f.start),S=Math.min(a.count,Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=S;b<C;b+=3){let w=a.getX(b),_=a.getX(b+1),
+M=a.getX(b+2);s=al(this,m,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=a.getX(g),S=a.getX(g+1),b=a.getX(g+2);s=al(this,o,e,n,c,d,u,x,S,b),s&&(s.faceIndex=Math.floor(g/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),S=Math.min(l.count,
+Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=S;b<C;b+=3){let w=b,_=b+1,M=b+2;s=al(this,m,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
+g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=g,S=g+1,b=g+2;s=al(this,o,e,n,c,d,
+u,x,S,b),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+s,r,o,e.side===Os,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
 point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=Ty(i,e,t,n,nl,il,
 sl,em);if(d){let u=new V;Fi.getBarycoord(em,nl,il,sl,u),s&&(d.uv=Fi.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Fi.getInterpolatedAttribute(r,a,l,c,u,
 new st)),o&&(d.normal=Fi.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
 Fi.getNormal(nl,il,sl,h.normal),d.face=h,d.barycoord=u}return d}var $o=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Mn,d=Mn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var qo=class extends bi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
 e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Vr=new xt,tm=new xt,ll=[],
-nm=new ki,Ay=new xt,Do=new hi,Uo=new as,Cs=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
+nm=new ki,Ay=new xt,Do=new hi,Uo=new as,Rs=class extends hi{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
 16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,Ay)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new ki),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
 t;n++)this.getMatrixAt(n,Vr),nm.copy(e.boundingBox).applyMatrix4(Vr),this.boundingBox.union(nm)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
@@ -1275,28 +1275,28 @@ this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3)
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new $o(new Float32Array(s*this.count),s,this.count,rc,ui));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},er=new as,Ey=new st(.5,.5),cl=new V,Rs=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},tr=new as,Ey=new st(.5,.5),cl=new V,Ps=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],y=r[9],
-m=r[10],g=r[11],x=r[12],w=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-x).normalize(),s[1].setComponents(c+o,f+d,g+p,C+x).normalize(),s[2].setComponents(
-c+a,f+u,g+y,C+w).normalize(),s[3].setComponents(c-a,f-u,g-y,C-w).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
-setComponents(c-l,f-h,g-m,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
+g=r[10],m=r[11],x=r[12],S=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,m-p,C-x).normalize(),s[1].setComponents(c+o,f+d,m+p,C+x).normalize(),s[2].setComponents(
+c+a,f+u,m+y,C+S).normalize(),s[3].setComponents(c-a,f-u,m-y,C-S).normalize(),n)s[4].setComponents(l,h,g,b).normalize(),s[5].setComponents(c-l,f-h,m-g,C-b).normalize();else if(s[4].
+setComponents(c-l,f-h,m-g,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,m+g,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,g,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
-e.computeBoundingSphere(),er.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),er.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(er)}intersectsSprite(e){er.center.set(0,0,0);let t=Ey.distanceTo(e.center);return er.
-radius=.7071067811865476+t,er.applyMatrix4(e.matrixWorld),this.intersectsSphere(er)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
+e.computeBoundingSphere(),tr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),tr.copy(
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(tr)}intersectsSprite(e){tr.center.set(0,0,0);let t=Ey.distanceTo(e.center);return tr.
+radius=.7071067811865476+t,tr.applyMatrix4(e.matrixWorld),this.intersectsSphere(tr)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(cl.x=s.normal.x>0?e.max.x:e.min.x,cl.y=s.normal.
 y>0?e.max.y:e.min.y,cl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(cl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
 e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},im=new xt,Ll=class i{constructor(){this.coordinateSystem=ci,this._frustums=[],this._count=
 0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];im.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
-void 0&&(n[s]=new Rs),n[s].setFromProjectionMatrix(im,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
+void 0&&(n[s]=new Ps),n[s].setFromProjectionMatrix(im,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
-void 0&&(t[s]=new Rs),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Ps=class extends ls{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
+void 0&&(t[s]=new Ps),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Is=class extends ls{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
-linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Nl=new V,Dl=new V,sm=new xt,Fo=new eo,hl=new as,yu=new V,rm=new V,Ul=class extends wn{constructor(e=new ln,t=new Ps){
+linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Nl=new V,Dl=new V,sm=new xt,Fo=new eo,hl=new as,yu=new V,rm=new V,Ul=class extends wn{constructor(e=new ln,t=new Is){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
 return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==
 void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.
@@ -1306,8 +1306,8 @@ Line.computeLineDistances(): Computation only possible with non-indexed BufferGe
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.
 applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;sm.copy(s).invert(),Fo.copy(e.ray).applyMatrix4(sm);let a=r/((this.scale.x+this.scale.y+this.
 scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let y=f,
-m=p-1;y<m;y+=c){let g=d.getX(y),x=d.getX(y+1),w=ul(this,e,Fo,l,g,x,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(p-1),m=d.getX(f),g=ul(this,e,Fo,l,y,m,p-1);g&&
-t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,m=p-1;y<m;y+=c){let g=ul(this,e,Fo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
+g=p-1;y<g;y+=c){let m=d.getX(y),x=d.getX(y+1),S=ul(this,e,Fo,l,m,x,y);S&&t.push(S)}if(this.isLineLoop){let y=d.getX(p-1),g=d.getX(f),m=ul(this,e,Fo,l,y,g,p-1);m&&
+t.push(m)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,g=p-1;y<g;y+=c){let m=ul(this,e,Fo,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){
 let y=ul(this,e,Fo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function ul(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Nl.fromBufferAttribute(a,s),Dl.fromBufferAttribute(a,r),t.distanceSqToSegment(Nl,Dl,yu,
@@ -1315,77 +1315,77 @@ rm)>n)return;yu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(yu);if
 index:o,face:null,faceIndex:null,barycoord:null,object:i}}var om=new V,am=new V,to=class extends Ul{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
 "LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)om.fromBufferAttribute(
 t,s),am.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+om.distanceTo(am);e.setAttribute("lineDistance",new yt(n,1))}else qe("LineSegments.computeLin\
-eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Yo=class extends Gn{constructor(e=[],t=ir,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
+eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Yo=class extends Gn{constructor(e=[],t=sr,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
 this.image=e}};var hs=class extends Gn{constructor(e,t,n=Mi,s,r,o,a=Mn,l=Mn,c,d=rs,u=1){if(d!==rs&&d!==ds)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
 hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:u};super(h,s,r,o,a,l,d,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
 compareFunction=null}copy(e){return super.copy(e),this.source=new Kr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
-toJSON(e);return t.compareFunction=this.compareFunction,t}},Zo=class extends hs{constructor(e,t=Mi,n=ir,s,r,o=Mn,a=Mn,l,c=rs){let d={width:e,height:e,depth:1},u=[
+toJSON(e);return t.compareFunction=this.compareFunction,t}},Zo=class extends hs{constructor(e,t=Mi,n=sr,s,r,o=Mn,a=Mn,l,c=rs){let d={width:e,height:e,depth:1},u=[
 d,d,d,d,d,d];super(e,e,t,n,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},
 Jo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},
-Is=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
+Ls=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,n,t,e,o,r,0),p("z","y","x",1,-1,
 n,t,-e,o,r,1),p("x","z","y",1,1,e,n,t,s,o,2),p("x","z","y",1,-1,e,n,-t,s,o,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,m,g,x,w,b,C,S,_,M,R){let P=b/
-_,I=C/M,F=b/2,z=C/2,D=S/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[m]=se*w,K[g]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[m]=0,K[g]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,g,m,x,S,b,C,w,_,M,R){let P=b/
+_,I=C/M,F=b/2,z=C/2,D=w/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[g]=se*S,K[m]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[g]=0,K[m]=w>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
 G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,R),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Ko=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
-n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,m=new V,g=new V;for(let x=0;x<=
-p;x++){let w=0,b=0,C=0,S=0;if(x<=n){let R=x/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),S=-e*Math.cos(P),w=R*u}else if(x<=n+r){let R=(x-n)/r;b=-d+R*t,C=e,
-S=0,w=u+R*h}else{let R=(x-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),S=e*Math.sin(P),w=u+h+R*u}let _=Math.max(0,Math.min(1,w/f)),M=0;x===0?M=.5/s:x===
-p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),m.set(-C*z,S,C*F),m.normalize(),
-l.push(m.x,m.y,m.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
+n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,g=new V,m=new V;for(let x=0;x<=
+p;x++){let S=0,b=0,C=0,w=0;if(x<=n){let R=x/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),w=-e*Math.cos(P),S=R*u}else if(x<=n+r){let R=(x-n)/r;b=-d+R*t,C=e,
+w=0,S=u+R*h}else{let R=(x-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),w=e*Math.sin(P),S=u+h+R*u}let _=Math.max(0,Math.min(1,S/f)),M=0;x===0?M=.5/s:x===
+p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);m.x=-C*z,m.y=b,m.z=C*F,a.push(m.x,m.y,m.z),g.set(-C*z,w,C*F),g.normalize(),
+l.push(g.x,g.y,g.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
-Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ls=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
-height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],m=n/
-2,g=0;x(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
-uv",new yt(f,2));function x(){let b=new V,C=new V,S=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+m,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
-s;M++)for(let R=0;R<r;R++){let P=y[R][M],I=y[R+1][M],F=y[R+1][M+1],z=y[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),S+=3),(t>0||R!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
-g,S,0),g+=S}function w(b){let C=p,S=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,m*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
-s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=m*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),S.x=G*.5+.5,S.y=Y*.5*P+.5,f.push(S.x,S.y),p++}for(let F=0;F<
-s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ns=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
+height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],g=n/
+2,m=0;x(),o===!1&&(e>0&&S(!0),t>0&&S(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+uv",new yt(f,2));function x(){let b=new V,C=new V,w=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
+sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+g,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
+s;M++)for(let R=0;R<r;R++){let P=y[R][M],I=y[R+1][M],F=y[R+1][M+1],z=y[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),w+=3),(t>0||R!==r-1)&&(d.push(I,F,z),w+=3)}c.addGroup(
+m,w,0),m+=w}function S(b){let C=p,w=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,g*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=g*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),w.x=G*.5+.5,w.y=Y*.5*P+.5,f.push(w.x,w.y),p++}for(let F=0;F<
+s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(m,M,b===!0?1:2),m+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
-jo=class i extends Ls{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
+jo=class i extends Ns{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
 e.thetaLength)}},Fl=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
 let r=[],o=[];a(s),c(n),d(),this.setAttribute("position",new yt(r,3)),this.setAttribute("normal",new yt(r.slice(),3)),this.setAttribute("uv",new yt(o,2)),s===0?
-this.computeVertexNormals():this.normalizeNormals();function a(x){let w=new V,b=new V,C=new V;for(let S=0;S<t.length;S+=3)f(t[S+0],w),f(t[S+1],b),f(t[S+2],C),l(
-w,b,C,x)}function l(x,w,b,C){let S=C+1,_=[];for(let M=0;M<=S;M++){_[M]=[];let R=x.clone().lerp(b,M/S),P=w.clone().lerp(b,M/S),I=S-M;for(let F=0;F<=I;F++)F===0&&
-M===S?_[M][F]=R:_[M][F]=R.clone().lerp(P,F/I)}for(let M=0;M<S;M++)for(let R=0;R<2*(S-M)-1;R++){let P=Math.floor(R/2);R%2===0?(h(_[M][P+1]),h(_[M+1][P]),h(_[M][P])):
-(h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(x){let w=new V;for(let b=0;b<r.length;b+=3)w.x=r[b+0],w.y=r[b+1],w.z=r[b+2],w.normalize().multiplyScalar(
-x),r[b+0]=w.x,r[b+1]=w.y,r[b+2]=w.z}function d(){let x=new V;for(let w=0;w<r.length;w+=3){x.x=r[w+0],x.y=r[w+1],x.z=r[w+2];let b=m(x)/2/Math.PI+.5,C=g(x)/Math.PI+
-.5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let w=o[x+0],b=o[x+2],C=o[x+4],S=Math.max(w,b,C),_=Math.min(w,b,C);S>.9&&_<.1&&(w<.2&&(o[x+0]+=
-1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,w){let b=x*3;w.x=e[b+0],w.y=e[b+1],w.z=e[b+2]}function p(){let x=new V,w=new V,
-b=new V,C=new V,S=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){x.set(r[R+0],r[R+1],r[R+2]),w.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
-8]),S.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(w).add(b).divideScalar(3);let I=m(C);y(S,P+0,x,I),y(_,P+2,w,I),y(M,P+4,b,I)}}function y(x,w,b,C){
-C<0&&x.x===1&&(o[w]=x.x-1),b.x===0&&b.z===0&&(o[w]=C/2/Math.PI+.5)}function m(x){return Math.atan2(x.z,-x.x)}function g(x){return Math.atan2(-x.y,Math.sqrt(x.x*
+this.computeVertexNormals():this.normalizeNormals();function a(x){let S=new V,b=new V,C=new V;for(let w=0;w<t.length;w+=3)f(t[w+0],S),f(t[w+1],b),f(t[w+2],C),l(
+S,b,C,x)}function l(x,S,b,C){let w=C+1,_=[];for(let M=0;M<=w;M++){_[M]=[];let R=x.clone().lerp(b,M/w),P=S.clone().lerp(b,M/w),I=w-M;for(let F=0;F<=I;F++)F===0&&
+M===w?_[M][F]=R:_[M][F]=R.clone().lerp(P,F/I)}for(let M=0;M<w;M++)for(let R=0;R<2*(w-M)-1;R++){let P=Math.floor(R/2);R%2===0?(h(_[M][P+1]),h(_[M+1][P]),h(_[M][P])):
+(h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(x){let S=new V;for(let b=0;b<r.length;b+=3)S.x=r[b+0],S.y=r[b+1],S.z=r[b+2],S.normalize().multiplyScalar(
+x),r[b+0]=S.x,r[b+1]=S.y,r[b+2]=S.z}function d(){let x=new V;for(let S=0;S<r.length;S+=3){x.x=r[S+0],x.y=r[S+1],x.z=r[S+2];let b=g(x)/2/Math.PI+.5,C=m(x)/Math.PI+
+.5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let S=o[x+0],b=o[x+2],C=o[x+4],w=Math.max(S,b,C),_=Math.min(S,b,C);w>.9&&_<.1&&(S<.2&&(o[x+0]+=
+1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,S){let b=x*3;S.x=e[b+0],S.y=e[b+1],S.z=e[b+2]}function p(){let x=new V,S=new V,
+b=new V,C=new V,w=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){x.set(r[R+0],r[R+1],r[R+2]),S.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
+8]),w.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(S).add(b).divideScalar(3);let I=g(C);y(w,P+0,x,I),y(_,P+2,S,I),y(M,P+4,b,I)}}function y(x,S,b,C){
+C<0&&x.x===1&&(o[S]=x.x-1),b.x===0&&b.z===0&&(o[S]=C/2/Math.PI+.5)}function g(x){return Math.atan2(x.z,-x.x)}function m(x){return Math.atan2(-x.y,Math.sqrt(x.x*
 x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
 detail)}};var no=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},Qo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],p=[],y=[],m=[];for(let g=0;g<d;g++){let x=g*h-o;for(let w=0;w<c;w++){let b=w*u-r;p.push(b,-x,0),y.push(0,0,1),m.push(w/a),m.push(1-g/l)}}for(let g=0;g<
-l;g++)for(let x=0;x<a;x++){let w=x+c*g,b=x+c*(g+1),C=x+1+c*(g+1),S=x+1+c*g;f.push(w,b,S),f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
-this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
+1,u=e/a,h=t/l,f=[],p=[],y=[],g=[];for(let m=0;m<d;m++){let x=m*h-o;for(let S=0;S<c;S++){let b=S*u-r;p.push(b,-x,0),y.push(0,0,1),g.push(S/a),g.push(1-m/l)}}for(let m=0;m<
+l;m++)for(let x=0;x<a;x++){let S=x+c*m,b=x+c*(m+1),C=x+1+c*(m+1),w=x+1+c*m;f.push(S,b,w),f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
+this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var ea=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],p=[],y=[],m=[];for(let g=0;g<=n;g++){let x=[],w=g/n,b=o+w*a,C=e*Math.cos(b),S=Math.sqrt(e*e-C*C),_=0;g===0&&o===0?_=.5/t:g===n&&l===Math.PI&&
-(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-S*Math.cos(P),u.y=C,u.z=S*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),m.push(
-R+_,1-w),x.push(c++)}d.push(x)}for(let g=0;g<n;g++)for(let x=0;x<t;x++){let w=d[g][x+1],b=d[g][x],C=d[g+1][x],S=d[g+1][x+1];(g!==0||o>0)&&f.push(w,b,S),(g!==n-1||
-l<Math.PI)&&f.push(b,C,S)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
+u=new V,h=new V,f=[],p=[],y=[],g=[];for(let m=0;m<=n;m++){let x=[],S=m/n,b=o+S*a,C=e*Math.cos(b),w=Math.sqrt(e*e-C*C),_=0;m===0&&o===0?_=.5/t:m===n&&l===Math.PI&&
+(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-w*Math.cos(P),u.y=C,u.z=w*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),g.push(
+R+_,1-S),x.push(c++)}d.push(x)}for(let m=0;m<n;m++)for(let x=0;x<t;x++){let S=d[m][x+1],b=d[m][x],C=d[m+1][x],w=d[m+1][x+1];(m!==0||o>0)&&f.push(S,b,w),(m!==n-1||
+l<Math.PI)&&f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
-phiLength,e.thetaStart,e.thetaLength)}};function rr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(lm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
+phiLength,e.thetaStart,e.thetaLength)}};function or(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(lm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(lm(s[0])){let r=[];for(let o=0,a=s.length;o<
-a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Rn(i){let e={};for(let t=0;t<i.length;t++){let n=rr(i[t]);for(let s in n)
+a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Rn(i){let e={};for(let t=0;t<i.length;t++){let n=or(i[t]);for(let s in n)
 e[s]=n[s]}return e}function lm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Cy(i){
 let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function nd(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var ig={clone:rr,merge:Rn},Ry="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+!0?e.texture.colorSpace:_t.workingColorSpace}var ig={clone:or,merge:Rn},Ry="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
 0 );\n}",Py="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",zi=class extends ls{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
 rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Ry,this.fragmentShader=Py,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=rr(e.uniforms),this.uniformsGroups=Cy(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=or(e.uniforms),this.uniformsGroups=Cy(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1417,27 +1417,27 @@ e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,
 e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},kl=class extends ls{constructor(e){
 super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.
 displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
-e.displacementScale,this.displacementBias=e.displacementBias,this}};var na=class extends Ps{constructor(e){super(),this.isLineDashedMaterial=!0,this.type="LineDashedMaterial",this.scale=1,this.dashSize=3,this.gapSize=1,this.setValues(
+e.displacementScale,this.displacementBias=e.displacementBias,this}};var na=class extends Is{constructor(e){super(),this.isLineDashedMaterial=!0,this.type="LineDashedMaterial",this.scale=1,this.dashSize=3,this.gapSize=1,this.setValues(
 e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this.gapSize=e.gapSize,this}};function Gr(i,e){return!i||i.constructor===e?i:typeof e.
-BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function dl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ns=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
+BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function dl(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ds=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
 n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+
 2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}
 if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(s=r,r=t[--n-1],e>=r)break e}
 o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)
 return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){
 return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=n[r+
-o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},zl=class extends Ns{constructor(e,t,n,s){super(e,
+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},zl=class extends Ds{constructor(e,t,n,s){super(e,
 t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Su,endingEnd:Su}}intervalChanged_(e,t,n){
 let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case wu:r=e,a=2*t-n;break;case Tu:r=s.length-2,a=t+
 s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case wu:o=e,l=2*n-t;break;case Tu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,m=y*p,g=-h*m+2*
-h*y-h*p,x=(1+h)*m+(-1.5-2*h)*y+(-.5+h)*p+1,w=(-1-f)*m+(1.5+f)*y+.5*p,b=f*m-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+x*o[c+C]+w*o[l+C]+b*o[u+C];return r}},Vl=class extends Ns{constructor(e,t,n,s){
+o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,g=y*p,m=-h*g+2*
+h*y-h*p,x=(1+h)*g+(-1.5-2*h)*y+(-.5+h)*p+1,S=(-1-f)*g+(1.5+f)*y+.5*p,b=f*g-f*y;for(let C=0;C!==a;++C)r[C]=m*o[d+C]+x*o[c+C]+S*o[l+C]+b*o[u+C];return r}},Vl=class extends Ds{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
-h]*u+o[l+h]*d;return r}},Gl=class extends Ns{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Ns{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let m=0;m!==
-a;++m)r[m]=o[c+m]*y+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],m=o[l+p],g=f*h+p*2,x=u[g],w=u[g+1],b=e*h+p*2,C=d[b],S=d[b+1],_=Ly(n,t,
-x,C,s);r[p]=sg(_,y,w,S,m)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+h]*u+o[l+h]*d;return r}},Gl=class extends Ds{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Ds{interpolate_(e,t,n,s){
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let g=0;g!==
+a;++g)r[g]=o[c+g]*y+o[l+g]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],g=o[l+p],m=f*h+p*2,x=u[m],S=u[m+1],b=e*h+p*2,C=d[b],w=d[b+1],_=Ly(n,t,
+x,C,s);r[p]=sg(_,y,S,w,g)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
 e)+6*r*i*(n-t)+3*i*i*(s-n)}function Ly(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=sg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Iy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Gr(t,this.TimeBufferType),
@@ -1466,13 +1466,13 @@ l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h
 n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,dl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
 slice(),outTangents:this.settings.outTangents.slice()}),s}};function cm(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function hm(i,e){for(let t=0,n=i.length;t!==
 n;t+=2)i[t]*=e}ni.prototype.ValueTypeName="";ni.prototype.TimeBufferType=Float32Array;ni.prototype.ValueBufferType=Float32Array;ni.prototype.DefaultInterpolation=
-El;var Ds=class extends ni{constructor(e,t,n){super(e,t,n)}};Ds.prototype.ValueTypeName="bool";Ds.prototype.ValueBufferType=Array;Ds.prototype.DefaultInterpolation=
-Bo;Ds.prototype.InterpolantFactoryMethodLinear=void 0;Ds.prototype.InterpolantFactoryMethodSmooth=void 0;var Wl=class extends ni{constructor(e,t,n,s){super(e,t,
-n,s)}};Wl.prototype.ValueTypeName="color";var Xl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Xl.prototype.ValueTypeName="number";var $l=class extends Ns{constructor(e,t,n,s){
+El;var Us=class extends ni{constructor(e,t,n){super(e,t,n)}};Us.prototype.ValueTypeName="bool";Us.prototype.ValueBufferType=Array;Us.prototype.DefaultInterpolation=
+Bo;Us.prototype.InterpolantFactoryMethodLinear=void 0;Us.prototype.InterpolantFactoryMethodSmooth=void 0;var Wl=class extends ni{constructor(e,t,n,s){super(e,t,
+n,s)}};Wl.prototype.ValueTypeName="color";var Xl=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};Xl.prototype.ValueTypeName="number";var $l=class extends Ds{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let d=c+a;c!==d;c+=4)kn.slerpFlat(r,0,
 o,c-a,o,c,l);return r}},ia=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new $l(this.times,this.values,this.getValueSize(),
-e)}};ia.prototype.ValueTypeName="quaternion";ia.prototype.InterpolantFactoryMethodSmooth=void 0;var Us=class extends ni{constructor(e,t,n){super(e,t,n)}};Us.prototype.
-ValueTypeName="string";Us.prototype.ValueBufferType=Array;Us.prototype.DefaultInterpolation=Bo;Us.prototype.InterpolantFactoryMethodLinear=void 0;Us.prototype.InterpolantFactoryMethodSmooth=
+e)}};ia.prototype.ValueTypeName="quaternion";ia.prototype.InterpolantFactoryMethodSmooth=void 0;var Fs=class extends ni{constructor(e,t,n){super(e,t,n)}};Fs.prototype.
+ValueTypeName="string";Fs.prototype.ValueBufferType=Array;Fs.prototype.DefaultInterpolation=Bo;Fs.prototype.InterpolantFactoryMethodLinear=void 0;Fs.prototype.InterpolantFactoryMethodSmooth=
 void 0;var ql=class extends ni{constructor(e,t,n,s){super(e,t,n,s)}};ql.prototype.ValueTypeName="vector";var Yl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
 itemStart=function(d){a++,r===!1&&s.onStart!==void 0&&s.onStart(d,o,a),r=!0},this.itemEnd=function(d){o++,s.onProgress!==void 0&&s.onProgress(d,o,a),o===a&&(r=!1,
 s.onLoad!==void 0&&s.onLoad())},this.itemError=function(d){s.onError!==void 0&&s.onError(d)},this.resolveURL=function(d){return d=d.normalize("NFC"),l?l(d):d},this.
@@ -1490,7 +1490,7 @@ color.getHex(),t.object.intensity=this.intensity,t}},ra=class extends sa{constru
 position.copy(wn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new rt(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){
 let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},vu=new xt,um=new V,dm=new V,Jl=class{constructor(e){this.camera=e,this.intensity=
 1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new st(512,512),this.mapType=Hn,this.map=null,this.mapPass=null,
-this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Rs,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
+this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Ps,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
 1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;um.setFromMatrixPosition(
 e.matrixWorld),t.position.copy(um),dm.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(dm),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
 vu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(vu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
@@ -1506,14 +1506,14 @@ return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.p
 this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.
 matrixWorld.decompose(fl,pl,Ui),Ui.x===1&&Ui.y===1&&Ui.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Ui.set(
 1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(fl,pl,Ui),Ui.x===1&&Ui.y===1&&Ui.z===1?this.matrixWorldInverse.
-copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Ui.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Es=new V,fm=new st,
+copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Ui.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Cs=new V,fm=new st,
 pm=new st,On=class extends oa{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
 n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.
 fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=
 e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Cl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
 let e=Math.tan(jh*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Cl*2*Math.atan(Math.tan(jh*.5*this.fov)/this.zoom)}getFilmWidth(){return this.
-filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){Es.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),
-t.set(Es.x,Es.y).multiplyScalar(-e/Es.z),Es.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(Es.x,Es.y).multiplyScalar(-e/Es.z)}getViewSize(e,t){return this.
+filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){Cs.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),
+t.set(Cs.x,Cs.y).multiplyScalar(-e/Cs.z),Cs.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(Cs.x,Cs.y).multiplyScalar(-e/Cs.z)}getViewSize(e,t){return this.
 getViewBounds(e,fm,pm),t.subVectors(pm,fm)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
 offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.
 height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.
@@ -1544,10 +1544,10 @@ let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c o
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
 this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=
-!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,
-e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
+!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,
+e.setRenderTarget(n,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
+n,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),g&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
 u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Kl=class extends On{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
 e,this.perCameraFrustumCulled=!1}};var id="\\[\\]\\.:\\/",Ny=new RegExp("["+id+"]","g"),sd="[^"+id+"]",Dy="[^"+id.replace("\\.","")+"]",Uy=/((?:WC+[\/:])*)/.source.replace("WC",sd),Fy=/(WCOD+)?/.
 source.replace("WCOD",Dy),Oy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",sd),By=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",sd),ky=new RegExp("^"+Uy+Fy+Oy+By+
@@ -1609,12 +1609,12 @@ return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParame
 dot(ml);if(n===0)return 0;let r=ml.dot(_m)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
 n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Vy,n=Gy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
 $r.subVectors(d,l),bu.subVectors(a,l);let u=Xr.dot(Xr),h=$r.dot($r),f=$r.dot(bu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),m=u*h-y*y;m!==0?r=at((y*f-p*h)/m,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),g=u*h-y*y;g!==0?r=at((y*f-p*h)/g,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
 1)):o>1&&(o=1,r=at((y-p)/u,0,1))}}return t.copy(a).addScaledVector(Xr,r),n.copy(l).addScaledVector($r,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ha=class extends to{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
-"position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Ps({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function rd(i,e,t,n){let s=Hy(n);switch(t){case Yu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Os:
+"position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Is({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
+this.geometry.dispose(),this.material.dispose()}};function rd(i,e,t,n){let s=Hy(n);switch(t){case Yu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Bs:
 return i*e*2/s.components*s.byteLength;case ac:return i*e*2/s.components*s.byteLength;case Zu:return i*e*3/s.components*s.byteLength;case wi:return i*e*4/s.components*
 s.byteLength;case lc:return i*e*4/s.components*s.byteLength;case fa:case pa:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case ma:case ga:return Math.floor((i+
 3)/4)*Math.floor((e+3)/4)*16;case hc:case dc:return Math.max(i,16)*Math.max(e,8)/4;case cc:case uc:return Math.max(i,8)*Math.max(e,8)/2;case fc:case pc:case gc:case _c:
@@ -2637,25 +2637,25 @@ value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{val
 attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
 anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},TM=new xt,Cg=new Qe;Cg.set(
--1,0,0,0,1,0,0,0,1);function AM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let w=x.isScene===!0?x.background:null;if(w&&w.isTexture){
-let b=x.backgroundBlurriness>0;w=e.get(w,b)}return w}function p(x){let w=!1,b=f(x);b===null?m(o,a):b&&b.isColor&&(m(b,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
-C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
-depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,w){let b=f(w);b&&b.isCubeTexture?(c===
-void 0&&(c=new hi(new Is(1,1,1),new zi({name:"BackgroundCubeMaterial",uniforms:rr(Wi.backgroundCube.uniforms),vertexShader:Wi.backgroundCube.vertexShader,fragmentShader:Wi.
+-1,0,0,0,1,0,0,0,1);function AM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let S=x.isScene===!0?x.background:null;if(S&&S.isTexture){
+let b=x.backgroundBlurriness>0;S=e.get(S,b)}return S}function p(x){let S=!1,b=f(x);b===null?g(o,a):b&&b.isColor&&(g(b,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
+C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||S)&&(t.buffers.depth.setTest(!0),t.buffers.
+depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,S){let b=f(S);b&&b.isCubeTexture?(c===
+void 0&&(c=new hi(new Ls(1,1,1),new zi({name:"BackgroundCubeMaterial",uniforms:or(Wi.backgroundCube.uniforms),vertexShader:Wi.backgroundCube.vertexShader,fragmentShader:Wi.
 backgroundCube.fragmentShader,side:zn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
-c.onBeforeRender=function(C,S,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
-value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(TM.makeRotationFromEuler(w.backgroundRotation)).transpose(),b.isRenderTargetTexture===
+c.onBeforeRender=function(C,w,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
+value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
+value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(TM.makeRotationFromEuler(S.backgroundRotation)).transpose(),b.isRenderTargetTexture===
 !1&&c.material.uniforms.backgroundRotation.value.premultiply(Cg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new hi(
-new Qo(2,2),new zi({name:"BackgroundMaterial",uniforms:rr(Wi.background.uniforms),vertexShader:Wi.background.vertexShader,fragmentShader:Wi.background.fragmentShader,
-side:Fs,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
-uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
+new Qo(2,2),new zi({name:"BackgroundMaterial",uniforms:or(Wi.background.uniforms),vertexShader:Wi.background.vertexShader,fragmentShader:Wi.background.fragmentShader,
+side:Os,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
+uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function m(x,w){x.getRGB(zc,nd(i)),
-t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,w=1){o.set(x),a=w,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
-a=x,m(o,a)},render:p,addToRenderList:y,dispose:g}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function g(x,S){x.getRGB(zc,nd(i)),
+t.buffers.color.setClear(zc.r,zc.g,zc.b,S,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,S=1){o.set(x),a=S,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
+a=x,g(o,a)},render:p,addToRenderList:y,dispose:m}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
 W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
@@ -2665,26 +2665,26 @@ Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){le
 instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
 W||r.index!==D}function p(I,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
 eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function m(I){g(I,0)}function g(I,F){
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function g(I){m(I,0)}function m(I,F){
 let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),G[I]!==F&&(i.vertexAttribDivisor(I,F),G[I]=
-F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function w(I,F,z,D,G,Y,W){
+F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function S(I,F,z,D,G,Y,W){
 W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
 for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
 instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
 Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
-if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
-!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
-ee);for(let Ve=0;Ve<K.locationSize;Ve++)w(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
-K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let Me=0;Me<K.locationSize;Me++)m(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)w(K.location+Me,de/K.locationSize,me,se,
+if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
+!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
+ee);for(let Ve=0;Ve<K.locationSize;Ve++)S(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
+K.locationSize;Me++)m(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let Me=0;Me<K.locationSize;Me++)g(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)S(K.location+Me,de/K.locationSize,me,se,
 de*xe,de/K.locationSize*Me*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
 K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){R();for(let I in n){let F=n[I];for(let z in F){
-let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function S(I){if(n[I.id]===void 0)return;let F=n[I.id];
+let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function w(I){if(n[I.id]===void 0)return;let F=n[I.id];
 for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I.id]}function _(I){for(let F in n){let z=n[F];
 for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function R(){P(),o=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:R,resetDefaultState:P,
-dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:m,disableUnusedAttributes:x}}function CM(i,e,t){
+dispose:C,releaseStatesOfGeometry:w,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:g,disableUnusedAttributes:x}}function CM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
 renderInstances=o,this.renderMultiDraw=a}function RM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
@@ -2696,45 +2696,45 @@ i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDI
 ighp",d=l(c);d!==c&&(qe("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
-getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-g=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
-C=i.getParameter(i.MAX_SAMPLES),S=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:x,
-maxVaryings:w,maxFragmentUniforms:b,maxSamples:C,samples:S}}function PM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),g=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
+m=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+C=i.getParameter(i.MAX_SAMPLES),w=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
+precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:x,
+maxVaryings:S,maxFragmentUniforms:b,maxSamples:C,samples:w}}function PM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,y=u.clipIntersection,
-m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let x=r?0:n,w=x*4,b=g.clippingState||null;l.value=b,b=d(p,h,w,f);for(let C=0;C!==
-w;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,m=null;if(y!==0){if(m=l.value,p!==!0||m===null){let g=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
-x),(m===null||m.length<g)&&(m=new Float32Array(g));for(let w=0,b=f;w!==y;++w,b+=4)o.copy(u[w]).applyMatrix4(x,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=
-m,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,m}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+g=u.clipShadows,m=i.get(u);if(!s||p===null||p.length===0||r&&!g)r?d(null):c();else{let x=r?0:n,S=x*4,b=m.clippingState||null;l.value=b,b=d(p,h,S,f);for(let C=0;C!==
+S;++C)b[C]=t[C];m.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,g=null;if(y!==0){if(g=l.value,p!==!0||g===null){let m=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
+x),(g===null||g.length<m)&&(g=new Float32Array(m));for(let S=0,b=f;S!==y;++S,b+=4)o.copy(u[S]).applyMatrix4(x,a),o.normal.toArray(g,b),g[b+3]=o.constant}l.value=
+g,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,g}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Yo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
  ) {\n\n     return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );\n\n    }\n\n    void main() {\n\n     vWorldDirection = transformDirection( position, modelMatrix );\
 \n\n     #include <begin_vertex>\n     #include <project_vertex>\n\n    }\n   ",fragmentShader:"\n\n    uniform sampler2D tEquirect;\n\n    varying vec3 vWorldDirec\
 tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = normalize( vWorldDirection );\n\n     vec2 sampleUV = equirectUv( direction );\n\n     gl_Fra\
-gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Is(5,5,5),r=new zi({name:"CubemapFromEquirect",uniforms:rr(n.uniforms),vertexShader:n.vertexShader,
-fragmentShader:n.fragmentShader,side:zn,blending:tr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=Bn),new so(
+gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Ls(5,5,5),r=new zi({name:"CubemapFromEquirect",uniforms:or(n.uniforms),vertexShader:n.vertexShader,
+fragmentShader:n.fragmentShader,side:zn,blending:nr});r.uniforms.tEquirect.value=t;let o=new hi(s,r),a=t.minFilter;return t.minFilter===us&&(t.minFilter=Bn),new so(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
 this,o),e.clear(t,n,s);e.setRenderTarget(r)}},og=256,IM=3,LM=20,Rg=256,Pg=16,NM=3,DM=new V,UM=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
-this._sourceTarget=null,this._cubeCamera=new so(1,10,null),this._boxMesh=new hi(new Is(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
+this._sourceTarget=null,this._cubeCamera=new so(1,10,null),this._boxMesh=new hi(new Ls(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
 _blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=DM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(UM));let m=new so(
-n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
+p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(UM));let g=new so(
+n,s,d);return g.position.copy(a),g.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
 this._cubemapMaterial===null&&(this._cubemapMaterial=cg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
 null&&(this._equirectMaterial=lg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
 null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this.
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
-return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(og,tg(e))}_fromTexture(e,t){e.mapping===ir||e.mapping===ao?this._setSize(e.image.length===0?
+return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(og,tg(e))}_fromTexture(e,t){e.mapping===sr||e.mapping===ao?this._setSize(e.image.length===0?
 og:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
 n}_allocateTarget(){let e=this._cubeSize,t=ag(e,!1,!1),n=Math.log2(e)-IM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
 (n!==null&&n.dispose(),this._sourceTarget=ag(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
-set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===ir||e.mapping===ao?(this._cubemapMaterial===
+set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===sr||e.mapping===ao?(this._cubemapMaterial===
 null&&(this._cubemapMaterial=cg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
 _equirectMaterial=lg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
 (this._ggxMaterial=FM(),this._integrationMaterial=OM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
@@ -2743,7 +2743,7 @@ o,n);if(o>n-NM)r.roughness.value=a,this._renderCube(e,o,this._integrationMateria
 value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=BM());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
 r,0,n)}};function ag(i,e,t){return new Ma(i,{minFilter:us,generateMipmaps:e,type:Si,colorSpace:ko,depthBuffer:t})}function Sa(i,e,t){return new zi({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:zn,blending:tr,depthTest:!1,depthWrite:!1})}function FM(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+vertexShader:ht.cube_vert,fragmentShader:t,side:zn,blending:nr,depthTest:!1,depthWrite:!1})}function FM(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
 value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Rg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
@@ -2789,37 +2789,37 @@ flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, v
 function kM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
 Ql||f===ec)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new Ma(p.height);return y.fromEquirectangularTexture(
 i,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===Ql||f===ec,y=f===ir||f===ao;if(p||y){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
-null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
-{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
-t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=ir:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
+mapping,p=f===Ql||f===ec,y=f===sr||f===ao;if(p||y){let g=t.get(h),m=g!==void 0?g.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return n===
+null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h,g):n.fromCubemap(h,g),g.texture.pmremVersion=h.pmremVersion,t.set(h,g),g.texture;if(g!==void 0)return g.texture;
+{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h):n.fromCubemap(h),g.texture.pmremVersion=h.pmremVersion,
+t.set(h,g),h.addEventListener("dispose",d),g.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=sr:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
 p=6;for(let y=0;y<p;y++)h[y]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
 n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function zM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Oo("WebGLRenderer\
 : "+n+" extension not supported."),s}}}function VM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
-p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
+p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
 get(p);y&&(e.remove(y),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){
 return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(p){let y=p.attributes;
-for(let m in y)e.update(y[m],i.ARRAY_BUFFER)}function u(p){let y=p.index,m=p.attributes.position,g=0;if(m===void 0)return;let x=y!==null?y.array.length:m.array.
-length/3-1,w=m.count>=65535?Xo:Wo,b=new w(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;g=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
-2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{g=m.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
-I,C[M++]=R}}b.version=g;let S=r.get(p);S&&e.remove(S),r.set(p,b)}function h(p){let y=r.get(p);if(y){let m=p.index;m!==null&&y.version<m.version&&u(p)}else u(p);
+for(let g in y)e.update(y[g],i.ARRAY_BUFFER)}function u(p){let y=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let x=y!==null?y.array.length:g.array.
+length/3-1,S=g.count>=65535?Xo:Wo,b=new S(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;m=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
+2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{m=g.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
+I,C[M++]=R}}b.version=m;let w=r.get(p);w&&e.remove(w),r.set(p,b)}function h(p){let y=r.get(p);if(y){let g=p.index;g!==null&&y.version<g.version&&u(p)}else u(p);
 return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function GM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
-n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let m=0;m<f;m++)y+=h[m];
+n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let g=0;g<f;g++)y+=h[g];
 t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function HM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
 t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function WM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let R=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",R)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
-position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],x=a.morphAttributes.
-color||[],w=0;f===!0&&(w=1),p===!0&&(w=2),y===!0&&(w=3);let b=a.attributes.position.count*w,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
-let S=new Float32Array(b*C*4*u),_=new Go(S,b,C,u);_.type=ui,_.needsUpdate=!0;let M=w*4;for(let P=0;P<u;P++){let I=m[P],F=g[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
-let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),S[D+Y+0]=s.x,S[D+Y+1]=s.y,S[D+Y+2]=s.z,S[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),S[D+Y+4]=s.x,S[D+Y+5]=s.y,S[D+
-Y+6]=s.z,S[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),S[D+Y+8]=s.x,S[D+Y+9]=s.y,S[D+Y+10]=s.z,S[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
+position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],x=a.morphAttributes.
+color||[],S=0;f===!0&&(S=1),p===!0&&(S=2),y===!0&&(S=3);let b=a.attributes.position.count*S,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
+let w=new Float32Array(b*C*4*u),_=new Go(w,b,C,u);_.type=ui,_.needsUpdate=!0;let M=S*4;for(let P=0;P<u;P++){let I=g[P],F=m[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
+let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),w[D+Y+0]=s.x,w[D+Y+1]=s.y,w[D+Y+2]=s.z,w[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),w[D+Y+4]=s.x,w[D+Y+5]=s.y,w[D+
+Y+6]=s.z,w[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),w[D+Y+8]=s.x,w[D+Y+9]=s.y,w[D+Y+10]=s.z,w[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
 b,C)},n.set(a,h),a.addEventListener("dispose",R)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let y=0;y<c.length;y++)f+=c[y];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
@@ -2839,17 +2839,17 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,m=!1,g,x=null,w=[],b=!1;this.setSize=
-function(C,S){o.setSize(C,S),a!==null&&a.setSize(C,S),l!==null&&l.setSize(C,S);for(let _=0;_<w.length;_++){let M=w[_];M.setSize&&M.setSize(C,S)}},this.setEffects=
-function(C){w=C,b=w.length>0&&w[0].isRenderPass===!0;let S=o.width,_=o.height;w.length>0&&a===null&&(a=new ti(S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
-S,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&w.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(S,_),
-r===!0&&(c.format=ds,c.type=sr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<w.length;R++){let P=w[R];
-P.setSize&&P.setSize(S,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,S){if(m||C.toneMapping===Gi&&w.length===0)
-return!1;if(x=S,S!==null){let _=S.width,M=S.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
-Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,S){C.toneMapping=g,m=!0;let _=o,M=a;for(let R=0;R<w.length;R++){let P=w[R];P.enabled!==!1&&(P.
-render(C,M,_,S),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,g=!1,m,x=null,S=[],b=!1;this.setSize=
+function(C,w){o.setSize(C,w),a!==null&&a.setSize(C,w),l!==null&&l.setSize(C,w);for(let _=0;_<S.length;_++){let M=S[_];M.setSize&&M.setSize(C,w)}},this.setEffects=
+function(C){S=C,b=S.length>0&&S[0].isRenderPass===!0;let w=o.width,_=o.height;S.length>0&&a===null&&(a=new ti(w,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
+w,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&S.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(w,_),
+r===!0&&(c.format=ds,c.type=rr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<S.length;R++){let P=S[R];
+P.setSize&&P.setSize(w,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,w){if(g||C.toneMapping===Gi&&S.length===0)
+return!1;if(x=w,w!==null){let _=w.width,M=w.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=
+Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,w){C.toneMapping=m,g=!0;let _=o,M=a;for(let R=0;R<S.length;R++){let P=S[R];P.enabled!==!1&&(P.
+render(C,M,_,w),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
 p)===At&&(u.defines.SRGB_TRANSFER="");let R=$M[y];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
-null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
+null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
 Lg=new hs(1,1),Ng=new Zo(1),Dg=new Go,Ug=new Il,Fg=new Yo,hg=[],ug=[],dg=new Float32Array(16),fg=new Float32Array(9),pg=new Float32Array(4);function ho(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=hg[s];if(r===void 0&&(r=new Float32Array(s),hg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
@@ -2934,9 +2934,9 @@ i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n
 return JS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var jS={[ao]:"ENVMAP_MODE_REFRACTION"};function QS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":jS[i.envMapMode]||
 "ENVMAP_MODE_REFLECTION"}var ew={[jl]:"ENVMAP_BLENDING_MULTIPLY",[km]:"ENVMAP_BLENDING_MIX",[zm]:"ENVMAP_BLENDING_ADD"};function tw(i){return i.envMap===!1?"ENV\
 MAP_BLENDING_NONE":ew[i.combine]||"ENVMAP_BLENDING_NONE"}function nw(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=KS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),y,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
-(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),m.length>0&&(m+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),y,g,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),g=["#define SHADER_TYPE "+t.shaderType,
+"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),g.length>0&&(g+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2970,7 +2970,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),m=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),g=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2993,18 +2993,18 @@ logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepth
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Gi?"#define TONE_MAPPING":"",t.toneMapping!==Gi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
 Gi?VS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,kS("linearToOutputTexel",t.outputColorSpace),
 GS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(ba).join("\n")),o=ud(o),o=yg(o,t),o=vg(o,t),a=ud(a),a=yg(a,t),a=vg(a,t),o=bg(o),a=
-bg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,m=["#d\
+bg(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,g=["#d\
 efine varying in",t.glslVersion===Qu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Qu?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let x=g+y+o,w=g+m+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,w);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+g);let x=m+y+o,S=m+g+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,S);s.attachShader(
 p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
-osition"),s.linkProgram(p);function S(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
+osition"),s.linkProgram(p);function w(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
 D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
 s,p,b,C);else{let K=xg(s,b,"vertex"),Q=xg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+P.name+"\nMaterial Type: "+P.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new co(
-s,p),M=XS(s,p)}let _;this.getUniforms=function(){return _===void 0&&S(this),_};let M;this.getAttributes=function(){return M===void 0&&S(this),M};let R=t.rendererExtensionParallelShaderCompile===
+"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:g}})}s.deleteShader(b),s.deleteShader(C),_=new co(
+s,p),M=XS(s,p)}let _;this.getUniforms=function(){return _===void 0&&w(this),_};let M;this.getAttributes=function(){return M===void 0&&w(this),M};let R=t.rendererExtensionParallelShaderCompile===
 !1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,US)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
 program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=FS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
 C,this}var iw=0,dd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
@@ -3012,7 +3012,7 @@ C,this}var iw=0,dd=class{constructor(){this.shaderCache=new Map,this.materialCac
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
 n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new fd(e),t.set(e,n)),n}},fd=class{constructor(e){
-this.id=iw++,this.code=e,this.usedTimes=0}};function sw(i){return i===Os||i===_a||i===xa}function rw(i,e,t,n,s,r){let o=new jr,a=new dd,l=new Set,c=[],d=new Map,
+this.id=iw++,this.code=e,this.usedTimes=0}};function sw(i){return i===Bs||i===_a||i===xa}function rw(i,e,t,n,s,r){let o=new jr,a=new dd,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(_){return l.add(_),_===0?"uv":"uv".concat(
@@ -3059,7 +3059,7 @@ depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0Attri
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
 Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let R in _.defines)
-M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(m(M,_),g(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function m(_,M){
+M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(g(M,_),m(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function g(_,M){
 _.push(M.precision),_.push(M.outputColorSpace),_.push(M.envMapMode),_.push(M.envMapPMREM),_.push(M.envMapMaxLod),_.push(M.envMapSize),_.push(M.mapUv),_.push(M.alphaMapUv),
 _.push(M.lightMapUv),_.push(M.aoMapUv),_.push(M.bumpMapUv),_.push(M.normalMapUv),_.push(M.displacementMapUv),_.push(M.emissiveMapUv),_.push(M.metalnessMapUv),_.
 push(M.roughnessMapUv),_.push(M.anisotropyMapUv),_.push(M.clearcoatMapUv),_.push(M.clearcoatNormalMapUv),_.push(M.clearcoatRoughnessMapUv),_.push(M.diffuseRoughnessMapUv),
@@ -3068,7 +3068,7 @@ _.push(M.specularIntensityMapUv),_.push(M.transmissionMapUv),_.push(M.thicknessM
 _.push(M.numSunLights),_.push(M.numDirLights),_.push(M.numPointLights),_.push(M.numSpotLights),_.push(M.numSpotLightMaps),_.push(M.numHemiLights),_.push(M.numRectAreaLights),
 _.push(M.numSunLightShadows),_.push(M.numDirLightShadows),_.push(M.numPointLightShadows),_.push(M.numSpotLightShadows),_.push(M.numSpotLightShadowsWithMaps),_.push(
 M.numLightProbes),_.push(M.numLightProbeGrids),_.push(M.shadowMapType),_.push(M.toneMapping),_.push(M.numClippingPlanes),_.push(M.numClipIntersection),_.push(M.
-depthPacking)}function g(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
+depthPacking)}function m(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
 o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
 M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
 15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
@@ -3078,17 +3078,17 @@ M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmi
 o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
 enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
 0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function x(_){let M=h[_.type],R;if(M){let P=Wi[M];R=ig.clone(P.uniforms)}else R=_.uniforms;return R}
-function w(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new nw(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
-c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function S(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:x,
-acquireProgram:w,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:S}}function ow(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+function S(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new nw(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
+c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function w(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:x,
+acquireProgram:S,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:w}}function ow(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
 dispose:r}}function aw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Sg(i,e){
 return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function wg(){
-let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,m,g){
-let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:m,group:g},i[e]=x):(x.id=h.
-id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=m,x.group=g),e++,x}function l(h,f,p,y,m,g,x){x.reversedDepth===
-!0&&(m=-m);let w=a(h,f,p,y,m,g);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,y,m,g){let x=a(h,f,p,y,m,g);p.transmission>0?
+let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,g,m){
+let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:g,group:m},i[e]=x):(x.id=h.
+id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=g,x.group=m),e++,x}function l(h,f,p,y,g,m,x){x.reversedDepth===
+!0&&(g=-g);let S=a(h,f,p,y,g,m);p.transmission>0?n.push(S):p.transparent===!0?s.push(S):t.push(S)}function c(h,f,p,y,g,m){let x=a(h,f,p,y,g,m);p.transmission>0?
 n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||aw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
 transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function lw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new wg,i.set(n,[o])):
@@ -3104,39 +3104,39 @@ directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,m=0,g=0,x=0,w=0,b=0,C=0,S=0,_=0,M=0,R=0,P=0;c.sort(dw);
-for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Os?ce=D.shadow.
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,g=0,m=0,x=0,S=0,b=0,C=0,w=0,_=0,M=0,R=0,P=0;c.sort(dw);
+for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Bs?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);P++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
 se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize.copy(Q.mapSize).multiply(
 Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
 ue]=Q._cascadeData[ue];y+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.directionalShadow[m]=se,n.directionalShadowMap[m]=ce,n.directionalShadowMatrix[m]=D.shadow.matrix,C++}n.directional[m]=K,m++}else if(D.isSpotLight){let K=e.get(
+n.directionalShadow[g]=se,n.directionalShadowMap[g]=ce,n.directionalShadowMatrix[g]=D.shadow.matrix,C++}n.directional[g]=K,g++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
 D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&R++),n.spotLightMatrix[x]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.spotShadow[x]=se,n.spotShadowMap[x]=ce,_++}x++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
-set(0,D.height*.5,0),n.rectArea[w]=K,w++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
+set(0,D.height*.5,0),n.rectArea[S]=K,S++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
-shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
-matrix,S++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
-Y),n.hemi[b]=K,b++}}w>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==m||I.pointLength!==g||I.spotLength!==x||I.rectAreaLength!==
-w||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==P)&&(n.
-sun.length=f,n.directional.length=m,n.spot.length=x,n.rectArea.length=w,n.point.length=g,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
-length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=S,n.pointShadowMap.
-length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
-R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=x,I.rectAreaLength=w,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=S,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,m=0,g=d.matrixWorldInverse;for(let x=0,
-w=c.length;x<w;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
+shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[m]=se,n.pointShadowMap[m]=ce,n.pointShadowMatrix[m]=D.shadow.
+matrix,w++}n.point[m]=K,m++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+Y),n.hemi[b]=K,b++}}S>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==g||I.pointLength!==m||I.spotLength!==x||I.rectAreaLength!==
+S||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==w||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==P)&&(n.
+sun.length=f,n.directional.length=g,n.spot.length=x,n.rectArea.length=S,n.point.length=m,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
+length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=w,n.pointShadowMap.
+length=w,n.pointShadowMatrix.length=w,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
+R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=g,I.pointLength=m,I.spotLength=x,I.rectAreaLength=S,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
+C,I.numPointShadows=w,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,g=0,m=d.matrixWorldInverse;for(let x=0,
+S=c.length;x<S;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(m),u++}else if(b.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
-b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
+transformDirection(m),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(
+b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
+C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(b.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.
 set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
-C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),f++}else if(b.isHemisphereLight){let C=n.hemi[g];C.direction.setFromMatrixPosition(b.matrixWorld),
+C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
 return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function pw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
@@ -3148,19 +3148,19 @@ pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n 
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
 mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",_w=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-xw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,va=new V,ad=new V;function yw(i,e,t){let n=new Rs,s=new st,r=new st,
-o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Fs]:zn,[zn]:Fs,[Vi]:Vi},h=new zi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
+xw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,va=new V,ad=new V;function yw(i,e,t){let n=new Ps,s=new st,r=new st,
+o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Os]:zn,[zn]:Os,[Vi]:Vi},h=new zi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
 value:new st},radius:{value:4}},vertexShader:mw,fragmentShader:gw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let g=this.type;this.render=function(S,_,M){
-if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||S.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
-hadowMap instead."),this.type=ua);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(tr),F.buffers.depth.getReversed()===
-!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
-D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=S.length;D<G;D++){let Y=S[D],W=Y.shadow;
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let m=this.type;this.render=function(w,_,M){
+if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||w.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+hadowMap instead."),this.type=ua);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(nr),F.buffers.depth.getReversed()===
+!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=m!==this.type;z&&_.traverse(function(D){
+D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=w.length;D<G;D++){let Y=w[D],W=Y.shadow;
 if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
 s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
 y=r.y));let K=i.state.buffers.depth.getReversed();if(W.camera._reversedDepth=K,W.map===null||z===!0){if(W.map!==null&&(W.map.depthTexture!==null&&(W.map.depthTexture.
 dispose(),W.map.depthTexture=null),W.map.dispose()),this.type===ro){if(Y.isPointLight){qe("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
-e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Os,type:Si,minFilter:Bn,magFilter:Bn,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
+e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Bs,type:Si,minFilter:Bn,magFilter:Bn,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
 hadowMap",W.map.depthTexture=new hs(s.x,s.y,ui),W.map.depthTexture.name=Y.name+".shadowMapDepth",W.map.depthTexture.format=rs,W.map.depthTexture.compareFunction=
 null,W.map.depthTexture.minFilter=Mn,W.map.depthTexture.magFilter=Mn}else Y.isPointLight?(W.map=new Ma(s.x),W.map.depthTexture=new Zo(s.x,Mi)):(W.map=new ti(s.x,
 s.y),W.map.depthTexture=new hs(s.x,s.y,Mi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=rs,this.type===ua?(W.map.depthTexture.compareFunction=
@@ -3171,24 +3171,24 @@ for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camer
 va.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(va),ad.copy(ee.position),ad.add(_w[de]),ee.up.copy(xw[de]),ee.lookAt(ad),ee.updateMatrixWorld(),me.makeTranslation(
 -va.x,-va.y,-va.z),Ag.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Ag,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}g=this.type,
-m.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(S,_){let M=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
-VSM_SAMPLES=S.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),S.mapPass===null?S.mapPass=new ti(s.x,s.y,{format:Os,type:Si}):(S.mapPass.width!==S.map.width||S.mapPass.
-height!==S.map.height)&&S.mapPass.setSize(S.map.width,S.map.height),h.uniforms.shadow_pass.value=S.map.depthTexture,h.uniforms.resolution.value.set(S.map.width,
-S.map.height),h.uniforms.radius.value=S.radius,i.setRenderTarget(S.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=S.mapPass.
-texture,f.uniforms.resolution.value.set(S.map.width,S.map.height),f.uniforms.radius.value=S.radius,i.setRenderTarget(S.map),i.clear(),i.renderBufferDirect(_,null,
-M,f,y,null)}function w(S,_,M,R){let P=null,I=M.isPointLight===!0?S.customDistanceMaterial:S.customDepthMaterial;if(I!==void 0)P=I;else if(P=M.isPointLight===!0?
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}m=this.type,
+g.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(w,_){let M=e.update(y);h.defines.VSM_SAMPLES!==w.blurSamples&&(h.defines.VSM_SAMPLES=w.blurSamples,f.defines.
+VSM_SAMPLES=w.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),w.mapPass===null?w.mapPass=new ti(s.x,s.y,{format:Bs,type:Si}):(w.mapPass.width!==w.map.width||w.mapPass.
+height!==w.map.height)&&w.mapPass.setSize(w.map.width,w.map.height),h.uniforms.shadow_pass.value=w.map.depthTexture,h.uniforms.resolution.value.set(w.map.width,
+w.map.height),h.uniforms.radius.value=w.radius,i.setRenderTarget(w.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=w.mapPass.
+texture,f.uniforms.resolution.value.set(w.map.width,w.map.height),f.uniforms.radius.value=w.radius,i.setRenderTarget(w.map),i.clear(),i.renderBufferDirect(_,null,
+M,f,y,null)}function S(w,_,M,R){let P=null,I=M.isPointLight===!0?w.customDistanceMaterial:w.customDepthMaterial;if(I!==void 0)P=I;else if(P=M.isPointLight===!0?
 l:a,i.localClippingEnabled&&_.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&
 _.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let F=P.uuid,z=_.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=P.clone(),D[z]=G,_.
 addEventListener("dispose",C)),P=G}if(P.visible=_.visible,P.wireframe=_.wireframe,R===ro?P.side=_.shadowSide!==null?_.shadowSide:_.side:P.side=_.shadowSide!==null?
 _.shadowSide:u[_.side],P.alphaMap=_.alphaMap,P.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,P.map=_.map,P.clipShadows=_.clipShadows,P.clippingPlanes=_.clippingPlanes,
 P.clipIntersection=_.clipIntersection,P.displacementMap=_.displacementMap,P.displacementScale=_.displacementScale,P.displacementBias=_.displacementBias,P.wireframeLinewidth=
-_.wireframeLinewidth,P.linewidth=_.linewidth,M.isPointLight===!0&&P.isMeshDistanceMaterial===!0){let F=i.properties.get(P);F.light=M}return P}function b(S,_,M,R,P,I){
-if(S.visible===!1)return;if(S.layers.test(P)&&(S.isMesh||S.isLine||S.isPoints)&&(S.castShadow||S.receiveShadow&&I===ro)&&(!S.frustumCulled||S.intersectsFrustum(
-n))){S.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,S.matrixWorld);let D=e.update(S),G=S.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
-length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=w(S,Q,R,I);S.onBeforeShadow(i,S,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,S,K),S.onAfterShadow(
-i,S,_,M,D,se,K)}}}else if(G.visible){let Y=w(S,G,R,I);S.onBeforeShadow(i,S,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,S,null),S.onAfterShadow(i,S,_,M,D,Y,null)}}
-let z=S.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,R,P,I)}function C(S){S.target.removeEventListener("dispose",C);for(let M in c){let R=c[M],P=S.target.
+_.wireframeLinewidth,P.linewidth=_.linewidth,M.isPointLight===!0&&P.isMeshDistanceMaterial===!0){let F=i.properties.get(P);F.light=M}return P}function b(w,_,M,R,P,I){
+if(w.visible===!1)return;if(w.layers.test(P)&&(w.isMesh||w.isLine||w.isPoints)&&(w.castShadow||w.receiveShadow&&I===ro)&&(!w.frustumCulled||w.intersectsFrustum(
+n))){w.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,w.matrixWorld);let D=e.update(w),G=w.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
+length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=S(w,Q,R,I);w.onBeforeShadow(i,w,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,w,K),w.onAfterShadow(
+i,w,_,M,D,se,K)}}}else if(G.visible){let Y=S(w,G,R,I);w.onBeforeShadow(i,w,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,w,null),w.onAfterShadow(i,w,_,M,D,Y,null)}}
+let z=w.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,R,P,I)}function C(w){w.target.removeEventListener("dispose",C);for(let M in c){let R=c[M],P=w.target.
 uuid;P in R&&(R[P].dispose(),delete R[P])}}}function vw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,be,Ge,Ze,le){le===!0&&(ge*=Ze,be*=Ze,Ge*=Ze),re.set(ge,be,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,be,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){
@@ -3201,7 +3201,7 @@ i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}functio
 setTest:function(Oe){O||(Oe?Me(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(be!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),be=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,g=!1,m=null,x=null,S=null,b=null,C=null,w=null,_=null,
 M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
@@ -3209,22 +3209,22 @@ de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromA
 ne;Ge++)O===i.TEXTURE_3D||O===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+Ge,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,
 ge);return be}let Ee={};Ee[i.TEXTURE_2D]=xe(i.TEXTURE_2D,i.TEXTURE_2D,1),Ee[i.TEXTURE_CUBE_MAP]=xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ee[i.TEXTURE_2D_ARRAY]=
 xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(i.DEPTH_TEST),
-o.setFunc(Yr),Qt(!1),Pt(Pu),Me(i.CULL_FACE),Gt(tr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
+o.setFunc(Yr),Qt(!1),Pt(Pu),Me(i.CULL_FACE),Gt(nr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
 return h[O]!==re?(i.bindFramebuffer(O,re),h[O]=re,O===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=re),O===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ve(O,re){
 let ne=p,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let be=0,Ge=ge.
 length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return y!==
-O?(i.useProgram(O),y=O,!0):!1}let lt={[nr]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
+O?(i.useProgram(O),y=O,!0):!1}let lt={[ir]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
 [Cm]:i.SRC_COLOR,[Du]:i.SRC_ALPHA,[Dm]:i.SRC_ALPHA_SATURATE,[Lm]:i.DST_COLOR,[Pm]:i.DST_ALPHA,[Rm]:i.ONE_MINUS_SRC_COLOR,[Uu]:i.ONE_MINUS_SRC_ALPHA,[Nm]:i.ONE_MINUS_DST_COLOR,
 [Im]:i.ONE_MINUS_DST_ALPHA,[Um]:i.CONSTANT_COLOR,[Fm]:i.ONE_MINUS_CONSTANT_COLOR,[Om]:i.CONSTANT_ALPHA,[Bm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
-if(O===tr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==bm){if(O!==g||Oe!==P){if((x!==nr||C!==nr)&&(i.blendEquation(i.FUNC_ADD),x=nr,C=nr),
+if(O===nr){g===!0&&(He(i.BLEND),g=!1);return}if(g===!1&&(Me(i.BLEND),g=!0),O!==bm){if(O!==m||Oe!==P){if((x!==ir||C!==ir)&&(i.blendEquation(i.FUNC_ADD),x=ir,C=ir),
 Oe)switch(O){case oo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFunc(i.ONE,i.ONE);break;case Lu:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Nu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case oo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Lu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Nu:Ke("WebGLState: Mul\
-tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,b=null,S=null,_=null,M.set(0,0,0),
-R=0,g=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==w||we!==b||be!==S||Ge!==_)&&(i.blendFuncSeparate(
-et[ne],et[we],et[be],et[Ge]),w=ne,b=we,S=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),g=O,P=!1}function Ut(O,re){O.side===
-Vi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===zn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(tr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
+tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,b=null,w=null,_=null,M.set(0,0,0),
+R=0,m=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==S||we!==b||be!==w||Ge!==_)&&(i.blendFuncSeparate(
+et[ne],et[we],et[be],et[Ge]),S=ne,b=we,w=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),m=O,P=!1}function Ut(O,re){O.side===
+Vi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===zn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(nr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
 a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?Me(i.SAMPLE_ALPHA_TO_COVERAGE):
@@ -3251,20 +3251,20 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-p=[],y=null,m=!1,g=null,x=null,w=null,b=null,C=null,S=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+p=[],y=null,g=!1,m=null,x=null,S=null,b=null,C=null,w=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
 texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function bw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function m(L,T){return g?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
 $)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
+void 0&&(h=m(_e,ye));let te=T?m(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in L&&qe("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
-)."),L;return L}function w(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
-i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function S(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
+)."),L;return L}function S(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
+i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function w(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
 return i[L];qe("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+L+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||qe("WebGLRenderer: Una\
 ble to use normalized textures without EXT_texture_norm16 extension"));let te=T;if(T===i.RED&&($===i.FLOAT&&(te=i.R32F),$===i.HALF_FLOAT&&(te=i.R16F),$===i.UNSIGNED_BYTE&&
 (te=i.R8),$===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),$===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),T===i.RED_INTEGER&&($===i.UNSIGNED_BYTE&&(te=i.R8UI),$===i.UNSIGNED_SHORT&&
@@ -3278,8 +3278,8 @@ ye&&(te=ye.RGB16_SNORM_EXT),$===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),$===i
 getTransfer(oe);$===i.FLOAT&&(te=i.RGBA32F),$===i.HALF_FLOAT&&(te=i.RGBA16F),$===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),$===i.UNSIGNED_SHORT&&ye&&
 (te=ye.RGBA16_EXT),$===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),$===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),$===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
 i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function _(L,T){let $;return L?T===null||T===
-Mi||T===sr?$=i.DEPTH24_STENCIL8:T===ui?$=i.DEPTH32F_STENCIL8:T===lo&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
-il. Using 24-bit attachment.")):T===null||T===Mi||T===sr?$=i.DEPTH_COMPONENT24:T===ui?$=i.DEPTH_COMPONENT32F:T===lo&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return w(
+Mi||T===rr?$=i.DEPTH24_STENCIL8:T===ui?$=i.DEPTH32F_STENCIL8:T===lo&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
+il. Using 24-bit attachment.")):T===null||T===Mi||T===rr?$=i.DEPTH_COMPONENT24:T===ui?$=i.DEPTH_COMPONENT32F:T===lo&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return S(
 L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==Bn?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
 Array.isArray(L.image)?T.mipmaps.length:1}function R(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),y.register(L,T,T)}function P(L){let T=n.get(L).__ref;T!==
 void 0&&(p.delete(T),y.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),P(L),Y(L),L.isVideoTexture&&
@@ -3327,7 +3327,7 @@ pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(L,T,$){let he=i.TEXTURE_2D;(T.is
 i.TEXTURE0+$),(typeof ImageBitmap<"u"&&T.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=T.colorSpace===fs?null:_t.getPrimaries(
 T.colorSpace),Je=T.colorSpace===fs||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 T.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment);let ie=x(T.image,!1,s.maxTextureSize);
-ie=ze(T,ie);let pe=r.convert(T.format,T.colorSpace),O=r.convert(T.type),re=S(T.internalFormat,pe,O,T.normalized,T.colorSpace,T.isVideoTexture);ut(he,T);let ne,we=T.
+ie=ze(T,ie);let pe=r.convert(T.format,T.colorSpace),O=r.convert(T.type),re=w(T.internalFormat,pe,O,T.normalized,T.colorSpace,T.isVideoTexture);ut(he,T);let ne,we=T.
 mipmaps,ge=T.isVideoTexture!==!0,be=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=M(T,ie);if(T.isDepthTexture)re=_(T.format===ds,T.type),be&&(ge?t.texStorage2D(
 i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(T.isDataTexture)if(we.length>0){ge&&be&&t.texStorage2D(
 i.TEXTURE_2D,Ze,re,we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.
@@ -3355,13 +3355,13 @@ ie);else{let Je=i.RGBA,Ce=i.RGBA,ot=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTUR
 i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&be){let le=Xe(
 we[0]);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,pe,O,ne):
 t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);T.generateMipmaps=!1}else if(ge){if(be){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
-i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);w(T)&&T.mipmapsAutoUpdate===!0&&b(he),ye.__version=_e.version,T.onUpdate&&T.onUpdate(T)}
+i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);S(T)&&T.mipmapsAutoUpdate===!0&&b(he),ye.__version=_e.version,T.onUpdate&&T.onUpdate(T)}
 L.__version=T.version}function Qt(L,T,$){if(T.image.length!==6)return;let he=lt(L,T),oe=T.source;t.bindTexture(i.TEXTURE_CUBE_MAP,L.__webglTexture,i.TEXTURE0+$);
 let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+$);let ye=_t.getPrimaries(_t.workingColorSpace),te=T.colorSpace===fs?null:_t.
 getPrimaries(T.colorSpace),ie=T.colorSpace===fs||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 T.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=T.isCompressedTexture||T.image[0].
 isCompressedTexture,O=T.image[0]&&T.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=x(T.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?T.image[Ce].image:
-T.image[Ce],re[Ce]=ze(T,re[Ce]);let ne=re[0],we=r.convert(T.format,T.colorSpace),ge=r.convert(T.type),be=S(T.internalFormat,we,ge,T.normalized,T.colorSpace),Ge=T.
+T.image[Ce],re[Ce]=ze(T,re[Ce]);let ne=re[0],we=r.convert(T.format,T.colorSpace),ge=r.convert(T.type),be=w(T.internalFormat,we,ge,T.normalized,T.colorSpace),Ge=T.
 isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=M(T,ne);ut(i.TEXTURE_CUBE_MAP,T);let Je;if(T.isDepthTexture){if(be=_(T.format===ds,T.type),
 Ze)if(Ge)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,be,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,ne.width,ne.height,
 0,we,ge,null)}else if(pe){Ge&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,be,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Je=re[Ce].mipmaps;for(let ot=0;ot<Je.length;ot++){
@@ -3374,8 +3374,8 @@ Ce,0,be,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.lengt
 Ce,ot+1,0,0,In.width,In.height,we,ge,In.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,In.width,In.height,0,we,ge,In.data)}}else{Ge?le&&t.texSubImage2D(
 i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
 Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,be,we,ge,Ft.image[Ce])}}}
-w(T)&&T.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}L.__version=T.version}function Pt(L,T,$,he,oe,_e){let ye=r.
-convert($.format,$.colorSpace),te=r.convert($.type),ie=S($.internalFormat,ye,te,$.normalized,$.colorSpace),pe=n.get(T),O=n.get($);if(O.__renderTarget=T,!pe.__hasExternalTextures){
+S(T)&&T.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}L.__version=T.version}function Pt(L,T,$,he,oe,_e){let ye=r.
+convert($.format,$.colorSpace),te=r.convert($.type),ie=w($.internalFormat,ye,te,$.normalized,$.colorSpace),pe=n.get(T),O=n.get($);if(O.__renderTarget=T,!pe.__hasExternalTextures){
 let re=Math.max(1,T.width>>_e),ne=Math.max(1,T.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,T.depth,0,ye,te,null):t.texImage2D(
 oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,L),Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(T)):(oe===i.
 TEXTURE_2D||oe>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,he,oe,O.__webglTexture,_e),t.bindFramebuffer(
@@ -3383,7 +3383,7 @@ i.FRAMEBUFFER,null)}function gn(L,T,$){if(i.bindRenderbuffer(i.RENDERBUFFER,L),T
 stencilBuffer,oe),ye=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),_e,T.width,T.height):
 $?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(T),_e,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,_e,T.width,T.height),i.framebufferRenderbuffer(
 i.FRAMEBUFFER,ye,i.RENDERBUFFER,L)}else{let he=T.textures;for(let oe=0;oe<he.length;oe++){let _e=he[oe],ye=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),
-ie=S(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),ie,T.width,T.height):$?i.renderbufferStorageMultisample(
+ie=w(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),ie,T.width,T.height):$?i.renderbufferStorageMultisample(
 i.RENDERBUFFER,it(T),ie,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,ie,T.width,T.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(L,T,$){
 let he=T.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,L),!(T.depthTexture&&T.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTexture\
 s: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(T.depthTexture);oe.__renderTarget=T;let _e=he?T.depthTexture.image[0]:T.depthTexture.
@@ -3408,19 +3408,19 @@ i.createFramebuffer()}else $.__webglFramebuffer[te]=i.createFramebuffer()}else{i
 $.__webglFramebuffer[te]=i.createFramebuffer()}else $.__webglFramebuffer=i.createFramebuffer();if(ye)for(let te=0,ie=oe.length;te<ie;te++){let pe=n.get(oe[te]);
 pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(L.samples>0&&Se(L)===!1){$.__webglMultisampledFramebuffer=i.createFramebuffer(),
 $.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,$.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];$.__webglColorRenderbuffer[te]=
-i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,$.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=S(ie.
+i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,$.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=w(ie.
 internalFormat,pe,O,ie.normalized,ie.colorSpace,L.isXRRenderTarget===!0),ne=it(L);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,L.width,L.height),i.framebufferRenderbuffer(
 i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,$.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),L.depthBuffer&&($.__webglDepthRenderbuffer=
 i.createRenderbuffer(),gn($.__webglDepthRenderbuffer,L,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
 i.TEXTURE_CUBE_MAP,T);for(let te=0;te<6;te++)if(T.mipmaps.length>0)for(let ie=0;ie<T.mipmaps.length;ie++)Pt($.__webglFramebuffer[te][ie],L,T,i.COLOR_ATTACHMENT0,
-i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt($.__webglFramebuffer[te],L,T,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);w(T)?b(i.TEXTURE_CUBE_MAP):T.mipmaps.
+i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt($.__webglFramebuffer[te],L,T,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);S(T)?b(i.TEXTURE_CUBE_MAP):T.mipmaps.
 length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
 O=n.get(pe),re=i.TEXTURE_2D;(L.isWebGL3DRenderTarget||L.isWebGLArrayRenderTarget)&&(re=L.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
-O.__webglTexture),ut(re,pe),Pt($.__webglFramebuffer,L,pe,i.COLOR_ATTACHMENT0+te,re,0),w(pe)&&b(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((L.isWebGL3DRenderTarget||
+O.__webglTexture),ut(re,pe),Pt($.__webglFramebuffer,L,pe,i.COLOR_ATTACHMENT0+te,re,0),S(pe)&&b(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((L.isWebGL3DRenderTarget||
 L.isWebGLArrayRenderTarget)&&(te=L.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,T),T.mipmaps.length>0)for(let ie=0;ie<
-T.mipmaps.length;ie++)Pt($.__webglFramebuffer[ie],L,T,i.COLOR_ATTACHMENT0,te,ie);else Pt($.__webglFramebuffer,L,T,i.COLOR_ATTACHMENT0,te,0);w(T)?b(te):T.mipmaps.
+T.mipmaps.length;ie++)Pt($.__webglFramebuffer[ie],L,T,i.COLOR_ATTACHMENT0,te,ie);else Pt($.__webglFramebuffer,L,T,i.COLOR_ATTACHMENT0,te,0);S(T)?b(te):T.mipmaps.
 length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}L.depthBuffer&&cn(L)}function B(L){let T=L.textures;for(let $=0,he=T.length;$<
-he;$++){let oe=T[$];if(w(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(L),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),b(_e),t.unbindTexture()}}}let Re=[];function $e(L){
+he;$++){let oe=T[$];if(S(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(L),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),b(_e),t.unbindTexture()}}}let Re=[];function $e(L){
 if(L.samples>0){if(Se(L)===!1){let T=L.textures,$=L.width,he=L.height,oe=i.COLOR_BUFFER_BIT,_e=L.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
 get(L),te=T.length>1;if(te)for(let pe=0;pe<T.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+
@@ -3445,7 +3445,7 @@ setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRT
 if(n===Hn)return i.UNSIGNED_BYTE;if(n===ic)return i.UNSIGNED_SHORT_4_4_4_4;if(n===sc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===$u)return i.UNSIGNED_INT_5_9_9_9_REV;
 if(n===qu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Wu)return i.BYTE;if(n===Xu)return i.SHORT;if(n===lo)return i.UNSIGNED_SHORT;if(n===nc)return i.INT;if(n===
 Mi)return i.UNSIGNED_INT;if(n===ui)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Yu)return i.ALPHA;if(n===Zu)return i.RGB;if(n===wi)return i.RGBA;if(n===rs)
-return i.DEPTH_COMPONENT;if(n===ds)return i.DEPTH_STENCIL;if(n===rc)return i.RED;if(n===oc)return i.RED_INTEGER;if(n===Os)return i.RG;if(n===ac)return i.RG_INTEGER;
+return i.DEPTH_COMPONENT;if(n===ds)return i.DEPTH_STENCIL;if(n===rc)return i.RED;if(n===oc)return i.RED_INTEGER;if(n===Bs)return i.RG;if(n===ac)return i.RG_INTEGER;
 if(n===lc)return i.RGBA_INTEGER;if(n===fa||n===pa||n===ma||n===ga)if(o===At)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===fa)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;
 if(n===pa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===ma)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===ga)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else
 return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===fa)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===pa)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;
@@ -3466,7 +3466,7 @@ r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Lc)return o===At?r.COMPRESSED_SRGB8_ALPH
 Dc||n===Uc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Nc)return o===At?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;
 if(n===Dc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Uc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Fc||n===Oc||n===xa||n===
 Bc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Fc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===xa)
-return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Bc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===sr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
+return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Bc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===rr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
 i[n]:null}return{convert:t}}var Sw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",ww="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
@@ -3474,23 +3474,23 @@ _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } e
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
 let t=e.cameras[0].viewport,n=new zi({vertexShader:Sw,fragmentShader:ww,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new hi(new Qo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},md=class extends Bi{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",m=new pd,g={},x=t.getContextAttributes(),
-w=null,b=null,C=[],S=[],_=new st,M=null,R=null,P=new On;P.viewport=new Wt;let I=new On;I.viewport=new Wt;let F=[P,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
+super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",g=new pd,m={},x=t.getContextAttributes(),
+S=null,b=null,C=[],w=[],_=new st,M=null,R=null,P=new On;P.viewport=new Wt;let I=new On;I.viewport=new Wt;let F=[P,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=
-me),me.getHandSpace()};function Y(ee){let me=S.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
+me),me.getHandSpace()};function Y(ee){let me=w.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,G=null,m.reset();for(let ee in g)delete g[ee];
-if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),R!==null){let ee=R.camera;
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=w[ee];me!==null&&(w[ee]=null,C[ee].disconnect(me))}D=null,G=null,g.reset();for(let ee in m)delete m[ee];
+if(e.setRenderTarget(S),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),R!==null){let ee=R.camera;
 ee.fov=R.fov,ee.zoom=R.zoom,ee.updateProjectionMatrix(),R=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&qe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&qe("WebXRManager: C\
 annot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=
 function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return p},this.getSession=
-function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(w=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
+function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(S=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
 "end",W),s.addEventListener("inputsourceschange",ce),x.xrCompatible!==!0&&await t.makeXRCompatible(),M=e.getPixelRatio(),e.getSize(_),y&&"createProjectionLayer"in
-XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;x.depth&&(Me=x.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=x.stencil?ds:rs,Ee=x.stencil?sr:Mi);let He={
+XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;x.depth&&(Me=x.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=x.stencil?ds:rs,Ee=x.stencil?rr:Mi);let He={
 colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
 h.textureWidth,h.textureHeight,!1),b=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new hs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
 void 0,void 0,void 0,void 0,xe),stencilBuffer:x.stencil,colorSpace:e.outputColorSpace,samples:x.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
@@ -3499,92 +3499,92 @@ antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=n
 setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:x.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
 ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
-{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};
-function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=S.indexOf(xe);Ee>=0&&(S[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
-length;me++){let xe=ee.added[me],Ee=S.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=S.length){S.push(xe),Ee=He;break}else if(S[He]===null){S[He]=
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};
+function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=w.indexOf(xe);Ee>=0&&(w[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
+length;me++){let xe=ee.added[me],Ee=w.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=w.length){w.push(xe),Ee=He;break}else if(w[He]===null){w[He]=
 xe,Ee=He;break}if(Ee===-1)break}let Me=C[Ee];Me&&Me.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
-ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;m.texture!==null&&(m.depthNear>
-0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;g.texture!==null&&(g.depthNear>
+0&&(me=g.depthNear),g.depthFar>0&&(xe=g.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
 depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,P.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
 z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(P.projectionMatrix),z.projectionMatrixInverse.copy(P.projectionMatrixInverse),R===null&&
 ee.isPerspectiveCamera&&(R={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
 me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Cl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
-fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=
-function(){return m.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
+fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=
+function(){return g.getMesh(z)},this.getCameraTexture=function(ee){return m[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
 views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
 xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
 colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new On,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
 Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
-xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
-length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Jo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
-let Ee=S[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Eg;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(m,g){
-m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,nd(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
-value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,x,w,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
-(r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
-value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(m,g),h(m,g),g.isMeshPhysicalMaterial&&f(m,g,b)):g.isMeshMatcapMaterial?(r(m,g),p(m,g)):g.isMeshDepthMaterial?
-r(m,g):g.isMeshDistanceMaterial?(r(m,g),y(m,g)):g.isMeshNormalMaterial?r(m,g):g.isLineBasicMaterial?(o(m,g),g.isLineDashedMaterial&&a(m,g)):g.isPointsMaterial?l(
-m,g,x,w):g.isSpriteMaterial?c(m,g):g.isShadowMaterial?(m.color.value.copy(g.color),m.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(m,g){
-m.opacity.value=g.opacity,g.color&&m.diffuse.value.copy(g.color),g.emissive&&m.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(m.map.
-value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.bumpMap&&(m.bumpMap.value=g.bumpMap,t(g.bumpMap,
-m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===zn&&(m.bumpScale.value*=-1)),g.normalMap&&(m.normalMap.value=g.normalMap,t(g.normalMap,m.normalMapTransform),
-m.normalScale.value.copy(g.normalScale),g.side===zn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
-m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
-t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
-value=g.alphaTest);let x=e.get(g),w=x.envMap,b=x.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
-w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Og),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
-g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
-g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
-value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,x,w){
-m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,m.size.value=g.size*x,m.scale.value=w*.5,g.map&&(m.map.value=g.map,t(g.map,m.uvTransform)),g.alphaMap&&(m.
-alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function c(m,g){m.diffuse.value.copy(g.color),m.opacity.
-value=g.opacity,m.rotation.value=g.rotation,g.map&&(m.map.value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),
-g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function d(m,g){m.specular.value.copy(g.specular),m.shininess.value=Math.max(g.shininess,1e-4)}function u(m,g){g.
-gradientMap&&(m.gradientMap.value=g.gradientMap)}function h(m,g){m.metalness.value=g.metalness,g.metalnessMap&&(m.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
-m.metalnessMapTransform)),m.roughness.value=g.roughness,g.roughnessMap&&(m.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,m.roughnessMapTransform)),g.envMap&&
-(m.envMapIntensity.value=g.envMapIntensity)}function f(m,g,x){m.ior.value=g.ior,g.diffuseRoughness>0&&(m.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
-(m.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),g.sheen>0&&(m.sheenColor.value.copy(g.sheenColor).multiplyScalar(
-g.sheen),m.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(m.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,m.sheenColorMapTransform)),g.sheenRoughnessMap&&
-(m.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,m.sheenRoughnessMapTransform))),g.clearcoat>0&&(m.clearcoat.value=g.clearcoat,m.clearcoatRoughness.
-value=g.clearcoatRoughness,g.clearcoatMap&&(m.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,m.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.
-value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(m.clearcoatNormalMap.value=g.clearcoatNormalMap,
-t(g.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===zn&&m.clearcoatNormalScale.value.negate())),
-g.dispersion>0&&(m.dispersion.value=g.dispersion),g.retroreflectivity>0&&(m.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(m.iridescence.value=g.
-iridescence,m.iridescenceIOR.value=g.iridescenceIOR,m.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
-g.iridescenceMap&&(m.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,m.iridescenceMapTransform)),g.iridescenceThicknessMap&&(m.iridescenceThicknessMap.
-value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),g.transmission>0&&(m.transmission.value=g.transmission,m.transmissionSamplerMap.
-value=x.texture,m.transmissionSamplerSize.value.set(x.width,x.height),g.transmissionMap&&(m.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,m.transmissionMapTransform)),
-m.thickness.value=g.thickness,g.thicknessMap&&(m.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=g.attenuationDistance,
-m.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(m.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
-g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=g.specularIntensity,
-m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
-g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
-(m.matcap.value=g.matcap)}function y(m,g){let x=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(x.matrixWorld),m.nearDistance.value=x.shadow.camera.
-near,m.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(x,w){let b=w.program;
-n.uniformBlockBinding(x,b,s[x.id])}function a(x,w){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",m));let C=w.program;n.updateUBOMapping(
-x,C);let S=e.render.frame;r[x.id]!==S&&(c(x),r[x.id]=S)}function l(x){let w=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
-i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(x){let w=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let S=0,_=b.
-length;S<_;S++){let M=b[S];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],S,R,C);else d(M,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,w,b,C){
-if(h(x,w,b,C)===!0){let S=x.__offset,_=x.value;if(Array.isArray(_)){let M=0;for(let R=0;R<_.length;R++){let P=_[R],I=y(P,!0);u(P,x.__data,M),M+=I.storage/Float32Array.
-BYTES_PER_ELEMENT}}else u(_,x.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,S,x.__data)}}function u(x,w,b){typeof x=="number"||typeof x=="boolean"?w[b]=x:x.isMatrix3?
-(w[b]=x.elements[0],w[b+1]=x.elements[1],w[b+2]=x.elements[2],w[b+3]=0,w[b+4]=x.elements[3],w[b+5]=x.elements[4],w[b+6]=x.elements[5],w[b+7]=0,w[b+8]=x.elements[6],
-w[b+9]=x.elements[7],w[b+10]=x.elements[8],w[b+11]=0):ArrayBuffer.isView(x)?w.set(x.subarray(0,w.length-b),b):x.toArray(w,b)}function h(x,w,b,C){let S=x.value,_=w+
-"_"+b;if(Array.isArray(S)){C[_]===void 0&&(C[_]=[]);let M=C[_],R=!1;for(let P=0;P<S.length;P++)f(S[P],M,P)===!0&&(R=!0);return R}return f(S,C,_)}function f(x,w,b){
-if(w[b]===void 0)return typeof x=="number"||typeof x=="boolean"?w[b]=x:ArrayBuffer.isView(x)?w[b]=x.slice():w[b]=x.clone(),!0;{let C=w[b];if(typeof x=="number"||
-typeof x=="boolean"){if(C!==x)return w[b]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function p(x){let w=x.uniforms,
-b=0,C=16;for(let _=0,M=w.length;_<M;_++){let R=Array.isArray(w[_])?w[_]:[w[_]];for(let P=0,I=R.length;P<I;P++){let F=R[P],z=Array.isArray(F.value)?F.value:[F.value],
-D=Array.isArray(w[_])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
+xe[0]);Ve&&Ve.isValid&&Ve.texture&&g.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
+length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=m[ut];lt||(lt=new Jo,m[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
+let Ee=w[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Eg;
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(g,m){
+g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function n(g,m){m.color.getRGB(g.fogColor.value,nd(i)),m.isFog?(g.fogNear.value=m.near,g.fogFar.
+value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,x,S,b){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?
+(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),u(g,m)):m.isMeshPhongMaterial?(r(g,m),d(g,m),m.envMap&&(g.envMapIntensity.
+value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),h(g,m),m.isMeshPhysicalMaterial&&f(g,m,b)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?
+r(g,m):m.isMeshDistanceMaterial?(r(g,m),y(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(
+g,m,x,S):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){
+g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.
+value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,
+g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===zn&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),
+g.normalScale.value.copy(m.normalScale),m.side===zn&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,
+g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,
+t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.
+value=m.alphaTest);let x=e.get(m),S=x.envMap,b=x.envMapRotation;S&&(g.envMap.value=S,g.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
+S.isCubeTexture&&S.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Og),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=
+m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=
+m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.
+value=m.map,t(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,x,S){
+g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*x,g.scale.value=S*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.
+alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.
+value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),
+m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function d(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function u(g,m){m.
+gradientMap&&(g.gradientMap.value=m.gradientMap)}function h(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,
+g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&
+(g.envMapIntensity.value=m.envMapIntensity)}function f(g,m,x){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&
+(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(
+m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&
+(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.
+value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.
+value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,
+t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===zn&&g.clearcoatNormalScale.value.negate())),
+m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.
+iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,
+m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.
+value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.
+value=x.texture,g.transmissionSamplerSize.value.set(x.width,x.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),
+g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,
+g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(
+m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,
+g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),
+m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&
+(g.matcap.value=m.matcap)}function y(g,m){let x=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(x.matrixWorld),g.nearDistance.value=x.shadow.camera.
+near,g.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(x,S){let b=S.program;
+n.uniformBlockBinding(x,b,s[x.id])}function a(x,S){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",g));let C=S.program;n.updateUBOMapping(
+x,C);let w=e.render.frame;r[x.id]!==w&&(c(x),r[x.id]=w)}function l(x){let S=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
+i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(x){let S=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let w=0,_=b.
+length;w<_;w++){let M=b[w];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],w,R,C);else d(M,w,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,S,b,C){
+if(h(x,S,b,C)===!0){let w=x.__offset,_=x.value;if(Array.isArray(_)){let M=0;for(let R=0;R<_.length;R++){let P=_[R],I=y(P,!0);u(P,x.__data,M),M+=I.storage/Float32Array.
+BYTES_PER_ELEMENT}}else u(_,x.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,w,x.__data)}}function u(x,S,b){typeof x=="number"||typeof x=="boolean"?S[b]=x:x.isMatrix3?
+(S[b]=x.elements[0],S[b+1]=x.elements[1],S[b+2]=x.elements[2],S[b+3]=0,S[b+4]=x.elements[3],S[b+5]=x.elements[4],S[b+6]=x.elements[5],S[b+7]=0,S[b+8]=x.elements[6],
+S[b+9]=x.elements[7],S[b+10]=x.elements[8],S[b+11]=0):ArrayBuffer.isView(x)?S.set(x.subarray(0,S.length-b),b):x.toArray(S,b)}function h(x,S,b,C){let w=x.value,_=S+
+"_"+b;if(Array.isArray(w)){C[_]===void 0&&(C[_]=[]);let M=C[_],R=!1;for(let P=0;P<w.length;P++)f(w[P],M,P)===!0&&(R=!0);return R}return f(w,C,_)}function f(x,S,b){
+if(S[b]===void 0)return typeof x=="number"||typeof x=="boolean"?S[b]=x:ArrayBuffer.isView(x)?S[b]=x.slice():S[b]=x.clone(),!0;{let C=S[b];if(typeof x=="number"||
+typeof x=="boolean"){if(C!==x)return S[b]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function p(x){let S=x.uniforms,
+b=0,C=16;for(let _=0,M=S.length;_<M;_++){let R=Array.isArray(S[_])?S[_]:[S[_]];for(let P=0,I=R.length;P<I;P++){let F=R[P],z=Array.isArray(F.value)?F.value:[F.value],
+D=Array.isArray(S[_])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
 (b+=C-ue),W===0&&(G=b),b+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((b-G)/Float32Array.BYTES_PER_ELEMENT),
-F.__offset=G}}let S=b%C;return S>0&&(b+=C-S),x.__size=b,x.__cache={},this}function y(x,w){let b={boundary:0,storage:0};return typeof x=="number"||typeof x=="boo\
+F.__offset=G}}let w=b%C;return w>0&&(b+=C-w),x.__size=b,x.__cache={},this}function y(x,S){let b={boundary:0,storage:0};return typeof x=="number"||typeof x=="boo\
 lean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=
 16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
-orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),w===!0&&(b.boundary=16,b.storage=
-Math.ceil(b.storage/16)*16),b}function m(x){let w=x.target;w.removeEventListener("dispose",m),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
-for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),S===!0&&(b.boundary=16,b.storage=
+Math.ceil(b.storage/16)*16),b}function g(x){let S=x.target;S.removeEventListener("dispose",g),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function m(){
+for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3602,16 +3602,16 @@ for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:g}}
 5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
-1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Hi=null;function Rw(){return Hi===null&&(Hi=new $o(Cw,16,16,Os,Si),Hi.name="DFG_LUT",Hi.minFilter=
+1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Hi=null;function Rw(){return Hi===null&&(Hi=new $o(Cw,16,16,Bs,Si),Hi.name="DFG_LUT",Hi.minFilter=
 Bn,Hi.magFilter=Bn,Hi.wrapS=Oi,Hi.wrapT=Oi,Hi.generateMipmaps=!1,Hi.needsUpdate=!0),Hi}var Hc=class{constructor(e={}){let{canvas:t=Km(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,m=new Set([lc,ac,oc]),g=new Set([Hn,Mi,lo,sr,ic,sc]),
-x=new Uint32Array(4),w=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,S=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,g=new Set([lc,ac,oc]),m=new Set([Hn,Mi,lo,rr,ic,sc]),
+x=new Uint32Array(4),S=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,w=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Gi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,I=!1,F=null,z=null,D=null,
 G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,Me=1,He=null,nt=null,Ve=new Wt(
-0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Rs,Gt=new Ll,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
+0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Ps,Gt=new Ll,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
 isScene:!0},$t=!1;function en(){return ce===null?Me:1}let B=n;function Re(E,k){return t.getContext(E,k)}let $e,it,Se,Lt,ze,Xe,L,T,$,he,oe,_e,ye,te,ie,pe,O,re,ne,
 we,ge,be,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("\
 setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Oe,!1),t.addEventListener("webglcontextrestore\
@@ -3636,9 +3636,9 @@ se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.
 ut.set(E,k,j,q),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
-clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=m.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
-Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(w[0]=ke,w[1]=je,w[2]=dt,w[3]=Ie,B.clearBufferiv(
-B.COLOR,0,w))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
+clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=g.has(Te)}if(Z){let Te=ce.texture.type,Pe=m.has(Te),Ae=O.getClearColor(),
+Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(S[0]=ke,S[1]=je,S[2]=dt,S[3]=Ie,B.clearBufferiv(
+B.COLOR,0,S))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
 setMask(4294967295)),q!==0&&B.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
 this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener(
 "webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),L.dispose(),
@@ -3658,43 +3658,43 @@ _multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?T.get(Ie).byte
 qi.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstancedMesh)Ct.renderInstances(Be,Xt,Z.count);else if(j.isInstancedBufferGeometry){let hn=j.
 _maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function po(E,k,j,q){F!==
 null&&E.isNodeMaterial&&F.setObject(q,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===Vi&&E.forceSinglePass===!1?(E.side=zn,E.needsUpdate=!0,Ei(E,k,
-q),E.side=Fs,E.needsUpdate=!0,Ei(E,k,q),E.side=Vi):Ei(E,k,q)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),S=te.get(j),S.init(
-k),M.push(S),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
-Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),S.setupLights(),F!==null&&F.updateLights(S.state.lightsArray),Qt=this.localClippingEnabled,
-Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(S.state.shadowsArray,j,k);let q=new Set;return E.traverse(
+q),E.side=Os,E.needsUpdate=!0,Ei(E,k,q),E.side=Vi):Ei(E,k,q)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),w=te.get(j),w.init(
+k),M.push(w),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(w.pushLight(Z),Z.castShadow&&w.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
+Z.isLight&&Z.layers.test(k.layers)&&(w.pushLight(Z),Z.castShadow&&w.pushShadow(Z))}),w.setupLights(),F!==null&&F.updateLights(w.state.lightsArray),Qt=this.localClippingEnabled,
+Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(w.state.shadowsArray,j,k);let q=new Set;return E.traverse(
 function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];po(
-Ae,j,k,Z),q.add(Ae)}else po(Te,j,k,Z),q.add(Te)}),S=M.pop(),F!==null&&F.renderEnd(),q},this.compileAsync=function(E,k,j=null){let q=this.compile(E,k,j);return new Promise(
+Ae,j,k,Z),q.add(Ae)}else po(Te,j,k,Z),q.add(Te)}),w=M.pop(),F!==null&&F.renderEnd(),q},this.compileAsync=function(E,k,j=null){let q=this.compile(E,k,j);return new Promise(
 Z=>{function Te(){if(q.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&q.delete(Pe)}),q.size===0){Z(E);return}setTimeout(Te,10)}
 $e.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let hr=null;function ch(E){hr&&hr(E)}function Aa(){Xi.stop()}function Ai(){Xi.start()}let Xi=new Eg;
 Xi.setAnimationLoop(ch),typeof self<"u"&&Xi.setContext(self),this.setAnimationLoop=function(E){hr=E,le.setAnimationLoop(E),E===null?Xi.stop():Xi.start()},le.addEventListener(
 "sessionstart",Aa),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
 tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,q=R!==null&&(ce===null||j)&&R.begin(P,
 ce);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===
-!0&&(R===null||R.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(P,E,k,ce),S=te.get(E,M.
-length),S.init(k),S.state.textureUnits=Xe.getTextureUnits(),M.push(S),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
+!0&&(R===null||R.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(P,E,k,ce),w=te.get(E,M.
+length),w.init(k),w.state.textureUnits=Xe.getTextureUnits(),M.push(w),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
 k):et.setFromProjectionMatrix(Pt,ci,k.reversedDepth),Qt=this.localClippingEnabled,Ut=ie.init(this.clippingPlanes,Qt),C=ye.get(E,_.length),C.init(),_.push(C),this.
 info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Pe=P.xr.getDepthSensingMesh();Pe!==null&&$i(Pe,k,-1/0,P.sortObjects)}$i(E,k,0,P.sortObjects),C.finish(),
-F!==null&&F.updateLights(S.state.lightsArray),P.sortObjects===!0&&C.sort(He,nt),$t=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,$t&&O.addToRenderList(
-C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=S.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),(q&&R.hasRenderPass())===
-!1){let Pe=C.opaque,Ae=C.transmissive;if(S.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
+F!==null&&F.updateLights(w.state.lightsArray),P.sortObjects===!0&&C.sort(He,nt),$t=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,$t&&O.addToRenderList(
+C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=w.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),(q&&R.hasRenderPass())===
+!1){let Pe=C.opaque,Ae=C.transmissive;if(w.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
 Pe,Ae,E,dt)}$t&&O.render(E);for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];mo(C,E,dt,dt.viewport)}}else Ae.length>0&&di(Pe,Ae,E,k),$t&&O.render(E),mo(C,E,k)}
 ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),q&&R.end(P),E.isScene===!0&&E.onAfterRender(P,E,k),be.resetDefaultState(),
-K=-1,Q=null,M.pop(),M.length>0?(S=M[M.length-1],Xe.setTextureUnits(S.state.textureUnits),Ut===!0&&ie.setGlobalState(P.clippingPlanes,S.state.camera)):S=null,_.pop(),
+K=-1,Q=null,M.pop(),M.length>0?(w=M[M.length-1],Xe.setTextureUnits(w.state.textureUnits),Ut===!0&&ie.setGlobalState(P.clippingPlanes,w.state.camera)):w=null,_.pop(),
 _.length>0?C=_[_.length-1]:C=null,F!==null&&F.renderEnd()};function $i(E,k,j,q){if(E.visible===!1)return;if(E.layers.test(k.layers)){if(E.isGroup)j=E.renderOrder;else if(E.
-isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)S.pushLight(E),E.castShadow&&S.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
+isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)w.pushLight(E),E.castShadow&&w.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
 E.intersectsFrustum(Pe)){q&&vt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=he.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}else if(E.
 isMesh||E.isLine||E.isPoints){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||E.intersectsFrustum(Pe)){let Ae=he.update(E),Ie=E.material;if(q&&(E.boundingSphere!==
 void 0?(E.boundingSphere===null&&E.computeBoundingSphere(),vt.copy(E.boundingSphere.center)):(Ae.boundingSphere===null&&Ae.computeBoundingSphere(),vt.copy(Ae.boundingSphere.
 center)),vt.applyMatrix4(E.matrixWorld).applyMatrix4(Pt)),Array.isArray(Ie)){let ke=Ae.groups;for(let je=0,dt=ke.length;je<dt;je++){let Be=ke[je],ft=Ie[Be.materialIndex];
 ft&&ft.visible&&C.push(E,Ae,ft,j,vt.z,Be,k)}}else Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}}let Te=E.children;for(let Pe=0,Ae=Te.length;Pe<Ae;Pe++)$i(Te[Pe],k,
-j,q)}function mo(E,k,j,q){let{opaque:Z,transmissive:Te,transparent:Pe}=E;S.setupLightsView(j),Ut===!0&&ie.setGlobalState(P.clippingPlanes,j),q&&Se.viewport(se.copy(
+j,q)}function mo(E,k,j,q){let{opaque:Z,transmissive:Te,transparent:Pe}=E;w.setupLightsView(j),Ut===!0&&ie.setGlobalState(P.clippingPlanes,j),q&&Se.viewport(se.copy(
 q)),Z.length>0&&qt(Z,k,j),Te.length>0&&qt(Te,k,j),Pe.length>0&&qt(Pe,k,j),Se.buffers.depth.setTest(!0),Se.buffers.depth.setMask(!0),Se.buffers.color.setMask(!0),
-Se.setPolygonOffset(!1)}function di(E,k,j,q){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(S.state.transmissionRenderTarget[q.id]===void 0){let Be=$e.
-has("EXT_color_buffer_half_float")||$e.has("EXT_color_buffer_float");S.state.transmissionRenderTarget[q.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:us,
+Se.setPolygonOffset(!1)}function di(E,k,j,q){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(w.state.transmissionRenderTarget[q.id]===void 0){let Be=$e.
+has("EXT_color_buffer_half_float")||$e.has("EXT_color_buffer_float");w.state.transmissionRenderTarget[q.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:us,
 samples:Math.max(4,it.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:_t.
-workingColorSpace})}let Te=S.state.transmissionRenderTarget[q.id],Pe=q.viewport||se;Te.setSize(Pe.z*P.transmissionResolutionScale,Pe.w*P.transmissionResolutionScale);
+workingColorSpace})}let Te=w.state.transmissionRenderTarget[q.id],Pe=q.viewport||se;Te.setSize(Pe.z*P.transmissionResolutionScale,Pe.w*P.transmissionResolutionScale);
 let Ae=P.getRenderTarget(),Ie=P.getActiveCubeFace(),ke=P.getActiveMipmapLevel();P.setRenderTarget(Te),P.getClearColor(ee),me=P.getClearAlpha(),me<1&&P.setClearColor(
-16777215,.5),P.clear(),$t&&O.render(j);let je=P.toneMapping;P.toneMapping=Gi;let dt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),S.setupLightsView(q),
+16777215,.5),P.clear(),$t&&O.render(j);let je=P.toneMapping;P.toneMapping=Gi;let dt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),w.setupLightsView(q),
 Ut===!0&&ie.setGlobalState(P.clippingPlanes,q),qt(E,j,q),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),$e.has("WEBGL_multisampled_render_\
 to_texture")===!1){let Be=!1;for(let ft=0,Xt=k.length;ft<Xt;ft++){let Et=k[ft],{object:Ct,geometry:hn,material:Ue,group:tn}=Et;if(Ue.side===Vi&&Ct.layers.test(q.
 layers)){let mt=Ue.side;Ue.side=zn,Ue.needsUpdate=!0,Kt(Ct,j,q,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
@@ -3702,23 +3702,23 @@ Te))}P.setRenderTarget(Ae,Ie,ke),P.setClearColor(ee,me),dt!==void 0&&(q.viewport
 null;for(let Z=0,Te=E.length;Z<Te;Z++){let Pe=E[Z],{object:Ae,geometry:Ie,group:ke}=Pe,je=Pe.material;je.allowOverride===!0&&q!==null&&(je=q),Ae.layers.test(j.layers)&&
 Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,q,Z,Te){F!==null&&Z.isNodeMaterial&&F.setObject(E,Z),E.onBeforeRender(P,k,j,q,Z,Te),E.modelViewMatrix.multiplyMatrices(j.
 matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(P,k,j,q,E,Te),Z.transparent===!0&&Z.side===Vi&&Z.forceSinglePass===
-!1?(Z.side=zn,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Fs,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Vi):P.renderBufferDirect(
+!1?(Z.side=zn,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Os,Z.needsUpdate=!0,P.renderBufferDirect(j,k,q,Z,E,Te),Z.side=Vi):P.renderBufferDirect(
 j,k,q,Z,E,Te),E.onAfterRender(P,k,j,q,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let q=ze.
-get(E),Z=S.state.lights,Te=S.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,S.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
+get(E),Z=w.state.lights,Te=w.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,w.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
 ke=q.programs;q.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?k.environment:null,q.fog=k.fog;let je=E.isMeshStandardMaterial||
 E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;q.envMap=L.get(E.envMap||q.environment,je),q.envMapRotation=q.environment!==null&&E.envMap===
 null?k.environmentRotation:E.envMapRotation,ke===void 0&&(E.addEventListener("dispose",ot),ke=new Map,q.programs=ke,q.programVariants=new Map);let dt=ke.get(Ie);
 if(dt!==void 0){if(q.currentProgram===dt&&q.lightsStateVersion===Pe)return go(E,Ae),dt}else Ae.uniforms=oe.getUniforms(E),F!==null&&E.isNodeMaterial&&F.build(E,
 j,Ae),E.onBeforeCompile(Ae,P),dt=oe.acquireProgram(Ae,Ie),ke.set(Ie,dt),q.uniforms=Ae.uniforms;let Be=q.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||
-E.clipping===!0)&&(Be.clippingPlanes=ie.uniform),go(E,Ae),q.needsLights=gs(E),q.lightsStateVersion=Pe,q.needsLights&&(Be.ambientLightColor.value=Z.state.ambient,
+E.clipping===!0)&&(Be.clippingPlanes=ie.uniform),go(E,Ae),q.needsLights=_s(E),q.lightsStateVersion=Pe,q.needsLights&&(Be.ambientLightColor.value=Z.state.ambient,
 Be.lightProbe.value=Z.state.probe,Be.sunLights.value=Z.state.sun,Be.sunLightShadows.value=Z.state.sunShadow,Be.directionalLights.value=Z.state.directional,Be.directionalLightShadows.
 value=Z.state.directionalShadow,Be.spotLights.value=Z.state.spot,Be.spotLightShadows.value=Z.state.spotShadow,Be.rectAreaLights.value=Z.state.rectArea,Be.ltc_1.
 value=Z.state.rectAreaLTC1,Be.ltc_2.value=Z.state.rectAreaLTC2,Be.pointLights.value=Z.state.point,Be.pointLightShadows.value=Z.state.pointShadow,Be.hemisphereLights.
 value=Z.state.hemi,Be.sunShadowMatrix.value=Z.state.sunShadowMatrix,Be.sunShadowCascade.value=Z.state.sunShadowCascade,Be.directionalShadowMatrix.value=Z.state.
 directionalShadowMatrix,Be.spotLightMatrix.value=Z.state.spotLightMatrix,Be.spotLightMap.value=Z.state.spotLightMap,Be.pointShadowMatrix.value=Z.state.pointShadowMatrix),
-q.numLightProbeGrids=jt(S.state.lightProbeGridArray),q.currentProgram=dt,q.uniformsList=null,dt}function Wn(E,k,j,q,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
+q.numLightProbeGrids=jt(w.state.lightProbeGridArray),q.currentProgram=dt,q.uniformsList=null,dt}function Wn(E,k,j,q,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
 ","+q+","+Z,Ae=Te.programVariants.get(Pe);return Ae===void 0?(Ae=Ei(E,k,j),Te.programVariants.set(Pe,Ae)):(Te.currentProgram=Ae,Te.uniformsList=null,Te.outputColorSpace=
-q,Te.toneMapping=Z),Ae}function ms(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=co.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
+q,Te.toneMapping=Z),Ae}function gs(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=co.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
 function go(E,k){let j=ze.get(E);j.outputColorSpace=k.outputColorSpace,j.batching=k.batching,j.batchingColor=k.batchingColor,j.instancing=k.instancing,j.instancingColor=
 k.instancingColor,j.instancingMorph=k.instancingMorph,j.skinning=k.skinning,j.morphTargets=k.morphTargets,j.morphNormals=k.morphNormals,j.morphColors=k.morphColors,
 j.morphTargetsCount=k.morphTargetsCount,j.numClippingPlanes=k.numClippingPlanes,j.numIntersection=k.numClipIntersection,j.vertexAlphas=k.vertexAlphas,j.vertexTangents=
@@ -3727,14 +3727,14 @@ q.isMeshPhongMaterial?k.environment:null,Ae=ce===null?P.outputColorSpace:ce.isXR
 q.isMeshLambertMaterial&&!q.envMap||q.isMeshPhongMaterial&&!q.envMap,ke=L.get(q.envMap||Pe,Ie),je=q.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.
 itemSize===4,dt=!!j.attributes.tangent&&(!!q.normalMap||q.anisotropy>0),Be=!!j.morphAttributes.position,ft=!!j.morphAttributes.normal,Xt=!!j.morphAttributes.color,
 Et=Gi;q.toneMapped&&(ce===null||ce.isXRRenderTarget===!0)&&(Et=P.toneMapping);let Ct=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,
-hn=Ct!==void 0?Ct.length:0,Ue=ze.get(q),tn=S.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&q.id===K;ie.setState(q,E,Rt)}let mt=!1,qi=!1;q.version===Ue.
+hn=Ct!==void 0?Ct.length:0,Ue=ze.get(q),tn=w.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&q.id===K;ie.setState(q,E,Rt)}let mt=!1,qi=!1;q.version===Ue.
 __version?Ue.needsLights&&Ue.lightsStateVersion!==tn.state.version||Z.isBatchedMesh&&Ue.batching===!1||!Z.isBatchedMesh&&Ue.batching===!0||Z.isBatchedMesh&&Ue.batchingColor===
 !0&&Z._colorsTexture===null||Z.isBatchedMesh&&Ue.batchingColor===!1&&Z._colorsTexture!==null||Z.isInstancedMesh&&Ue.instancing===!1||!Z.isInstancedMesh&&Ue.instancing===
 !0||Z.isSkinnedMesh&&Ue.skinning===!1||!Z.isSkinnedMesh&&Ue.skinning===!0||Z.isInstancedMesh&&Ue.instancingColor===!0&&Z.instanceColor===null||Z.isInstancedMesh&&
 Ue.instancingColor===!1&&Z.instanceColor!==null||Z.isInstancedMesh&&Ue.instancingMorph===!0&&Z.morphTexture===null||Z.isInstancedMesh&&Ue.instancingMorph===!1&&
 Z.morphTexture!==null||Ue.envMap!==ke||q.fog===!0&&Ue.fog!==Te||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==ie.numPlanes||Ue.numIntersection!==ie.numIntersection)||
 Ue.vertexAlphas!==je||Ue.vertexTangents!==dt||Ue.morphTargets!==Be||Ue.morphNormals!==ft||Ue.morphColors!==Xt||Ue.morphTargetsCount!==hn||Ue.numLightProbeGrids!==
-jt(S.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&(qi=!0):(mt=!0,Ue.__version=q.version);let nn=Ue.currentProgram;(mt===!0||
+jt(w.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&(qi=!0):(mt=!0,Ue.__version=q.version);let nn=Ue.currentProgram;(mt===!0||
 qi===!0)&&(nn=qi===!0?Wn(q,k,Z,Ae,Et):Ei(q,k,Z),F&&q.isNodeMaterial&&F.onUpdateProgram(q,nn,Ue));let fr=!1,Ci=!1,Yi=!1,ct=nn.getUniforms(),Yt=Ue.uniforms;if(Se.
 useProgram(nn.program)&&(fr=!0,Ci=!0,Yi=!0),q.id!==K&&(K=q.id,Ci=!0),fr||Q!==E){Se.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),
 ct.setValue(B,"projectionMatrix",E.projectionMatrix),ct.setValue(B,"viewMatrix",E.matrixWorldInverse);let sn=ct.map.cameraPosition;sn!==void 0&&sn.setValue(B,gn.
@@ -3749,15 +3749,15 @@ exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._col
 morphAttributes;if((Ln.position!==void 0||Ln.normal!==void 0||Ln.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==
 null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Rw()),Ci){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
-Ue.needsLights&&ur(Yt,Yi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,S.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
-Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of S.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
+Ue.needsLights&&ur(Yt,Yi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,w.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
+Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of w.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
-value=Rt.max,Yt.probesResolution.value=Rt.resolution}co.upload(B,ms(Ue),Yt,Xe)}if(q.isShaderMaterial&&q.uniformsNeedUpdate===!0&&(co.upload(B,ms(Ue),Yt,Xe),q.uniformsNeedUpdate=
+value=Rt.max,Yt.probesResolution.value=Rt.resolution}co.upload(B,gs(Ue),Yt,Xe)}if(q.isShaderMaterial&&q.uniformsNeedUpdate===!0&&(co.upload(B,gs(Ue),Yt,Xe),q.uniformsNeedUpdate=
 !1),q.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
 B,"modelMatrix",Z.matrixWorld),q.uniformsGroups!==void 0){let Rt=q.uniformsGroups;for(let sn=0,Tn=Rt.length;sn<Tn;sn++){let Ea=Rt[sn];Ge.update(Ea,nn),Ge.bind(Ea,
 nn)}}return nn}function ur(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.needsUpdate=k,E.sunLights.needsUpdate=k,E.sunLightShadows.needsUpdate=k,E.directionalLights.
 needsUpdate=k,E.directionalLightShadows.needsUpdate=k,E.pointLights.needsUpdate=k,E.pointLightShadows.needsUpdate=k,E.spotLights.needsUpdate=k,E.spotLightShadows.
-needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function gs(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
+needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function _s(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
 E.isMeshStandardMaterial||E.isShadowMaterial||E.isShaderMaterial&&E.lights===!0}this.getActiveCubeFace=function(){return Y},this.getActiveMipmapLevel=function(){
 return W},this.getRenderTarget=function(){return ce},this.setRenderTargetTextures=function(E,k,j){let q=ze.get(E);q.__autoAllocateDepthBuffer=E.resolveDepthBuffer===
 !1,q.__autoAllocateDepthBuffer===!1&&(q.__useRenderToTexture=!1),ze.get(E.texture).__webglTexture=k,ze.get(E.depthTexture).__webglTexture=q.__autoAllocateDepthBuffer?
@@ -3841,8 +3841,8 @@ a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];
 p)}}let u=[];if(gd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ti.create(a,c,l),Ti.create(d,a,l),Ti.create(d,l,c),Ti.create(d,
 c,a));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+1].getEdge(2).setTwin(u[0].getEdge((3-h)%3)),u[h+1].getEdge(0).setTwin(u[f+1].getEdge(1))}}for(let h=0;h<4;h++)this.
-faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let m=0;m<4;m++){let g=this.faces[m].
-distanceToPoint(p.point);g>r&&(r=g,y=this.faces[m])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
+faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let g=0;g<4;g++){let m=this.faces[g].
+distanceToPoint(p.point);m>r&&(r=m,y=this.faces[g])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
 let n=this.faces[t];n.mark===qc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
 mark=Pw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
@@ -3867,43 +3867,43 @@ next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){ret
 point;t.push(c.x,c.y,c.z),n.push(a.normal.x,a.normal.y,a.normal.z),l=l.next}while(l!==a.edge)}this.setAttribute("position",new yt(t,3)),this.setAttribute("norma\
 l",new yt(n,3))}};var Kc=24,xd=.1;function zg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Lw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
 i,3*t));function Nw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
-n}var yd=Di({box:{geometry:()=>new Is,has_edges:!0},sphere:{geometry:({radius:i})=>new ea(i,Kc,Kc/2)},capsule:{geometry:i=>zg(i.axis,new Ko(i.radius,2*i.half_length,
-8,Kc))},cylinder:{geometry:i=>zg(i.axis,new Ls(i.radius,i.radius,2*i.half_length,Kc))},hull:{geometry:({points:i})=>new Jc(Lw(i))},mesh:{geometry:Nw}}),vd=i=>i.
+n}var yd=Di({box:{geometry:()=>new Ls,has_edges:!0},sphere:{geometry:({radius:i})=>new ea(i,Kc,Kc/2)},capsule:{geometry:i=>zg(i.axis,new Ko(i.radius,2*i.half_length,
+8,Kc))},cylinder:{geometry:i=>zg(i.axis,new Ns(i.radius,i.radius,2*i.half_length,Kc))},hull:{geometry:({points:i})=>new Jc(Lw(i))},mesh:{geometry:Nw}}),vd=i=>i.
 shape!=="box"&&i.shape in yd,Vg=i=>vd(i)?yd[i.shape]:yd.box,Gg=i=>vd(i)?"".concat(i.shape," ").concat(i.index):"box",bd=i=>i.size[0]>0?i.size:[xd,xd,xd],Hg=i=>vd(
-i)?[1,1,1]:bd(i);var or=0;var Wg=2,jc=3,Dw=32767,Uw=new xt().makeScale(0,0,0);function Fw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+i)?[1,1,1]:bd(i);var ps=0;var Wg=2,jc=3,Dw=32767,Uw=new xt().makeScale(0,0,0);function Fw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
 i}function Ow(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ta;return e?Fw(t):t}function Xg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),y=i==="marks"?"ma\
-rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),m=i==="marks"?new no(.5):y.geometry(f),
-g=new Cs(m,Ow(i,y.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,m=new kn,g=new V,x=new rt;for(let{mesh:w,rows:b}of r)
-b.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==or&&h.mark[C]!==jc)||f.hidden?.(C))w.setMatrixAt(S,Uw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...bd(M))),m.identity()):(g.set(...Hg(M)),m.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),w.setMatrixAt(
-S,p.compose(y,m,g))}x.copy(d),f.colour?.(C,x,h),w.setColorAt(S,x)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
-null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Cs(
-new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:m},g)=>{f.setMatrixAt(
-g,p.compose(new V(...y),new kn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(m=>({distance:m.
-distance,row:p[m.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),g=i==="marks"?new no(.5):y.geometry(f),
+m=new Rs(g,Ow(i,y.has_edges),p.length);return m.frustumCulled=!1,i==="marks"&&(m.renderOrder=2),n.add(m),{mesh:m,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,g=new kn,m=new V,x=new rt;for(let{mesh:S,rows:b}of r)
+b.forEach((C,w)=>{if(!(h&&C<h.rows&&h.mark[C]!==ps&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(w,Uw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(m.setScalar(Math.min(...bd(M))),g.identity()):(m.set(...Hg(M)),g.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),S.setMatrixAt(
+w,p.compose(y,g,m))}x.copy(d),f.colour?.(C,x,h),S.setColorAt(w,x)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
+null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Rs(
+new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:g},m)=>{f.setMatrixAt(
+m,p.compose(new V(...y),new kn,new V().setScalar(g)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(g=>({distance:g.
+distance,row:p[g.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
  6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Yg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
 ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(kw[i],'\
-"/></svg>'),e}function Bs(i,e,t){let n=X("button",{type:"button",className:i,title:e},Yg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
+"/></svg>'),e}function ks(i,e,t){let n=X("button",{type:"button",className:i,title:e},Yg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
 n}var ar=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
 list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function Qc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0,
 played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
 "aria-label",n);let h=X("select",{className:"speed"},...Bw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
 "speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
-activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,S(),R&&r(0)},m=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
-g=R=>{y(),m(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,m(c),(l>0?c>=i.last:c<=i.first)&&y()},w=R=>{if(l===
-R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&m(i.first),R<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(x,qg),S(),r(R)},b=Bs("play","pl\
-ay",()=>w(1)),C=Bs("back","play backwards",()=>w(-1));function S(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
-Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),m(i.beside(o,R))};return u.addEventListener("input",()=>g(Number(u.
+activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,w(),R&&r(0)},g=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
+m=R=>{y(),g(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,g(c),(l>0?c>=i.last:c<=i.first)&&y()},S=R=>{if(l===
+R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&g(i.first),R<0&&o<=i.first&&g(i.last),c=o,d=performance.now(),a=setInterval(x,qg),w(),r(R)},b=ks("play","pl\
+ay",()=>S(1)),C=ks("back","play backwards",()=>S(-1));function w(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
+Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),g(i.beside(o,R))};return u.addEventListener("input",()=>m(Number(u.
 value))),u.addEventListener("keydown",R=>{let P={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[R.key];P===void 0||R.ctrlKey||R.metaKey||
-R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
-player"},Bs("first","first step",()=>g(i.first)),C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,Bs("last","last step",()=>g(i.last)),
-h,u,f):X("div",{className:"player"},C,Bs("less","one step back",()=>_(-1)),Bs("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:w,stop:y,get step(){
+R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{m(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
+player"},ks("first","first step",()=>m(i.first)),C,ks("less","one step back",()=>_(-1)),ks("more","one step on",()=>_(1)),b,ks("last","last step",()=>m(i.last)),
+h,u,f):X("div",{className:"player"},C,ks("less","one step back",()=>_(-1)),ks("more","one step on",()=>_(1)),b,u),slider:u,seek:m,move:_,play:S,stop:y,get step(){
 return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*qg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
 f.max=R,P},refresh:p}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
@@ -3915,42 +3915,42 @@ activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive
 0):e.turn(.12,0),ArrowUp:l=>l?e.pan(0,.05):e.turn(0,.12),ArrowDown:l=>l?e.pan(0,-.05):e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};
 i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function th(i,e){
 let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
-n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var zw=.07,Vw=.25;function Md(i,e){let t=new Vn,n=new Ls(.5,.5,1,6).translate(0,.5,0),s=new jo(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
-opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Cs(y,r,a.length)),u=zw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:m,impulse:g},x)=>{let w=u*Math.max(Vw,Math.sqrt(Math.max(0,g)/h)),b=new kn().
-setFromUnitVectors(f,new V(...m).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(S,w*.7,S)));let _=new V(0,w*.7,0).applyQuaternion(b).add(
-C);d.setMatrixAt(x,p.compose(_,b,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,Gw=2;function Hw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var zw=.07,Vw=.25;function Md(i,e){let t=new Vn,n=new Ns(.5,.5,1,6).translate(0,.5,0),s=new jo(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
+opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Rs(y,r,a.length)),u=zw*
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:g,impulse:m},x)=>{let S=u*Math.max(Vw,Math.sqrt(Math.max(0,m)/h)),b=new kn().
+setFromUnitVectors(f,new V(...g).normalize()),C=new V(...y),w=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(w,S*.7,w)));let _=new V(0,S*.7,0).applyQuaternion(b).add(
+C);d.setMatrixAt(x,p.compose(_,b,new V(w*3.4,S*.3,w*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,Gw=2;function Hw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
 n}function Sd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Ww(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(wd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
 Gw));let{radius:o}=t,a=new Ho,l=new On(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new ra("#ffffff","#c9d1da",1.9),c,d),s){let _=new ha(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
 a.add(_)}let u=Ww(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
-m=!1,g=!1,x=0,w=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
-u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
-Math.max(1,_.y),l.updateProjectionMatrix(),w(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
+g=!1,m=!1,x=0,S=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
+u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>g&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,m=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
+Math.max(1,_.y),l.updateProjectionMatrix(),S(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
 P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of y.values())F.visible=
-M===1||I===R;r.render(a,l)}},S=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:S,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
-{describe(P){R.describe(P),S()},show(P,I){R.show(P,I),S()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),S()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
+M===1||I===R;r.render(a,l)}},w=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:w,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
+{describe(P){R.describe(P),w()},show(P,I){R.show(P,I),w()}}},set_side_by_side(_){g=_,h[1]?.set_ghost(!_),w()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
 _),M&&M.points.length>0){let{points:R,colour:P,dash:I,on_top:F}=M,z={color:P,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new na({...z,dashSize:I,gapSize:.7*
-I}):new Ps(z),G=Hw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}S()},set_arrows(_,M=0){p[M].show(_,u.distance),S()},pick(_,M){let R=b(),
-P=Math.min(R-1,Math.floor(_*R));w(),l.updateMatrixWorld();let I=new la;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
-I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),S()},zoom(_){
-u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),S()},pan(_,M){w(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(wd/2*Math.PI/180),P=new V().setFromMatrixColumn(
-l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),S()},look_at(_){u.centre.set(..._),S()},
-resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),g?C():S())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
-_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Xw=.05,$w=40,qw=.15,ks=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Yw(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=ks(n,o),l=ks(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Zw(i,e){
+I}):new Is(z),G=Hw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}w()},set_arrows(_,M=0){p[M].show(_,u.distance),w()},pick(_,M){let R=b(),
+P=Math.min(R-1,Math.floor(_*R));S(),l.updateMatrixWorld();let I=new la;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
+I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),w()},zoom(_){
+u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),w()},pan(_,M){S(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(wd/2*Math.PI/180),P=new V().setFromMatrixColumn(
+l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),w()},look_at(_){u.centre.set(..._),w()},
+resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),m?C():w())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
+_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Xw=.05,$w=40,qw=.15,zs=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Yw(i){let{actual_mm:e,expected_mm:t}=i.
+frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=zs(n,o),l=zs(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Zw(i,e){
 let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Ad,Xw*Math.min(t,r>0?r:t))})}
 function Zg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:$g(n,r=>{let o=t?.
-slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=ks(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
+slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=zs(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
 function Jg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,$w),r=[];for(let o of s)for(let a=1;a<
-e.length;++a){let l=ks(e[a-1],o),c=ks(e[a],o);l&&c&&r.push(...l,...c)}return r}var Td=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
+e.length;++a){let l=zs(e[a-1],o),c=zs(e[a],o);l&&c&&r.push(...l,...c)}return r}var Td=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
 ="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Jw(){return X("p",{},Td('<path d="M0 8H36" stroke="var\
 (--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),Td('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
 />\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),Td('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
 o the other"))}function Kw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
-id.filter((c,d)=>!ks(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
+id.filter((c,d)=>!zs(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
 e (gone, or not finite)");if(n.length===0)return"".concat(s,": nothing to compare here").concat(o);let a=n.reduce((c,d)=>d.value>c.value?d:c),l=n.filter(({value:c})=>c>
 Ad).length;return l===0?"".concat(s,": every body within ").concat(Ad," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
 " bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(An(a.value/1e3)," away").concat(o)}function jw(i){return{count:i.bodies.id.length,body:e=>({
@@ -3965,7 +3965,7 @@ s.describe(jw(this.data));this.stage.set_lines("actual",{points:Jg(this.data,thi
 cted",{points:Jg(this.data,this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),eh(e,this.stage),this.resize(),this.show(this.frame)}close(){
 this.stage&&(this.last_view={...this.stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{
 frames:t,bodies:n}=this.data,s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Zg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.
-offsetHSL(0,0,.035*(o%5-2))}),this.expected.show(Zg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=ks(t.actual_mm[e],a),c=ks(t.expected_mm[e],
+offsetHSL(0,0,.035*(o%5-2))}),this.expected.show(Zg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=zs(t.actual_mm[e],a),c=zs(t.expected_mm[e],
 a);return l&&c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:ji().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
 place;e>0&&this.stage?.resize(e,t)}};function Kg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Yw(e),r=X("div",{className:"\
 view3d"}),o=X("output"),a=new Ed(r,e,s),l=Qc({steps:new ar(0,n),dt:()=>qw,full:!1,show:d=>{let u=Kw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
@@ -3977,7 +3977,7 @@ with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_s
 "role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.canvas=e,this.
 tags=this.sessions.map((t,n)=>X("span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=X("p",{className:"over-view",
 hidden:!0}),this.place.replaceChildren(e,...this.tags,this.over),this.stage=null}start(){this.hue=ji();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(
-e[a]).filter((l,c)=>e.mark[c]!==or):[],n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.
+e[a]).filter((l,c)=>e.mark[c]!==ps):[],n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.
 sessions[0].head;this.box=th(["x","y","z"].map(t),s);try{this.stage=nh(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="\
 This browser has no WebGL, so there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===
 0?"solid":"ghost",l===0?this.hue.actual:this.hue.expected);return c.describe(a.bodies),c}),eh(this.canvas,this.stage,(a,l)=>{let c=this.stage.pick(a,l);this.picked(
@@ -3985,27 +3985,31 @@ c?this.sessions[c.session].bodies.id(c.row):null)}),this.set_side_by_side(this.s
 describe(e.bodies))}restart(){if(!this.stage)return;let e={...this.stage.view};this.stage.dispose(),this.open(),this.start(),this.stage&&Object.assign(this.stage.
 view,e),this.show()}reset_view(){let{stage:e}=this;e&&(e.dispose(),this.open(),this.following=!1,this.start(),this.show())}set_side_by_side(e){this.side_by_side=
 e,this.place.classList.toggle("halves",e),this.tags[1]&&(this.tags[1].textContent=e?"B":"B, ghost"),this.stage?.set_side_by_side(e),this.show()}place_of(e,t){let n=this.
-frames[e],s=this.sessions[e]?.bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===or||n.mark[s]===jc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.
-place_of(0,e),this.place_of(1,e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.
-selected)return r.set(this.hue.select);if(this.paint==="speed")return e0(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return e0(Math.log10(Math.max(1e-9,
-this.apart(o)??0)/1e-9)/9,r);let a=t.mark[s]===Wg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(t1[n.
-texture(s)]??this.hue.actual),a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<e1;++s){if(t.mark[s]!==
-jc)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;
-l.step.forEach((d,u)=>{let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.
-lost_places.get(o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],
-o=r&&r.status===0?r:null,a=o?{colour:this.colour_of(n,o),lost:this.lost_in(n,o)}:{};o&&s===1&&!this.side_by_side&&(a.colour=(l,c)=>n.bodies.id(l)===this.selected&&
-c.set(this.hue.select),a.hidden=l=>(this.apart(n.bodies.id(l))??1)<jg),this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)for(let n of this.
-sessions[0].bodies.json.id)(this.apart(n)??0)>=jg&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,colour:this.hue.bad,
-on_top:!0}),this.show_contacts();let t=this.following&&this.selected!==null?this.place_of(0,this.selected)??this.place_of(1,this.selected):null;t&&this.stage.look_at(
-t),this.stage.draw()}show_contacts(){this.sessions.forEach((e,t)=>this.show_contacts_of(t))}show_contacts_of(e){let t=this.contacts[e],s=t&&this.frames[e]&&t.step===
-this.frames[e].step?t.rows??[]:[],r=([l,c])=>l===this.selected||c===this.selected,a=(this.selected!==null?s.filter(r):this.with_contacts?s:[]).filter(l=>l[9]>0&&
-!l.includes(null));this.stage.set_arrows(a.map(l=>{let c=l[7]<0?-1:1;return{at:l.slice(2,5),normal:l.slice(5,8).map(d=>c*d),impulse:l[9]}}),e)}way_ids(){if(this.
-selected!==null)return[this.selected];let{bodies:e}=this.sessions[0],t=[...e.json.id.keys()].filter(o=>!e.is_static(o)),n=t.filter(o=>e.name(o)==="thrown"),s=Math.
-max(1,Math.ceil(t.length/Qg));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slice(0,Qg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let e=this.with_ways||
-this.selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.
-way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],
-colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,session:1}:null))}resize(){let{
-clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function n1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
+frames[e],s=this.sessions[e]?.bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===ps||n.mark[s]===jc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.
+place_of(0,e),this.place_of(1,e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}only_in(e){let[t,n]=[this.frames[e],this.frames[1-e]];if(!t||!n||t.
+status!==0||n.status!==0||t.step!==n.step)return new Set;let{bodies:s}=this.sessions[1-e],r=a=>{let l=s.row(a);return l!==void 0&&l<n.rows&&n.mark[l]!==ps},o=this.
+sessions[e].bodies.json.id.filter((a,l)=>l<t.rows&&t.mark[l]!==ps&&!r(a));return new Set(o)}only_in_words(){return["A","B"].flatMap((e,t)=>{let n=this.only_in(t).
+size;return n===0?[]:["".concat(n," bod").concat(n===1?"y":"ies"," only in ").concat(e)]})}colour_of(e,t){let{bodies:n}=e,s=this.only_in(this.sessions.indexOf(e));
+return(r,o)=>{let a=n.id(r);if(a===this.selected)return o.set(this.hue.select);if(s.has(a))return o.set(this.hue.bad);if(this.paint==="speed")return e0(t.speed[r]/
+this.top_speed,o);if(this.paint==="apart")return e0(Math.log10(Math.max(1e-9,this.apart(a)??0)/1e-9)/9,o);let l=t.mark[r]===Wg;return this.paint==="state"?o.set(
+n.is_static(r)?this.hue.soft:l?this.hue.asleep:this.hue.actual):(o.set(t1[n.texture(r)]??this.hue.actual),l&&o.offsetHSL(0,-.12,-.05)),o.offsetHSL(0,0,.022*(r%5-
+2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<e1;++s){if(t.mark[s]!==jc)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(
+r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;l.step.forEach((d,u)=>{let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===
+null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.lost_places.get(o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(
+s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],o=r&&r.status===0?r:null,a=o?{colour:this.colour_of(n,o),lost:this.
+lost_in(n,o)}:{};if(o&&s===1&&!this.side_by_side){let l=this.only_in(1);a.colour=(c,d)=>{let u=n.bodies.id(c);return(u===this.selected||l.has(u))&&d.set(u===this.
+selected?this.hue.select:this.hue.bad)},a.hidden=c=>(this.apart(n.bodies.id(c))??1)<jg}this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)
+for(let n of this.sessions[0].bodies.json.id)(this.apart(n)??0)>=jg&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,
+colour:this.hue.bad,on_top:!0}),this.show_contacts();let t=this.following&&this.selected!==null?this.place_of(0,this.selected)??this.place_of(1,this.selected):null;
+t&&this.stage.look_at(t),this.stage.draw()}show_contacts(){this.sessions.forEach((e,t)=>this.show_contacts_of(t))}show_contacts_of(e){let t=this.contacts[e],s=t&&
+this.frames[e]&&t.step===this.frames[e].step?t.rows??[]:[],r=([l,c])=>l===this.selected||c===this.selected,a=(this.selected!==null?s.filter(r):this.with_contacts?
+s:[]).filter(l=>l[9]>0&&!l.includes(null));this.stage.set_arrows(a.map(l=>{let c=l[7]<0?-1:1;return{at:l.slice(2,5),normal:l.slice(5,8).map(d=>c*d),impulse:l[9]}}),
+e)}way_ids(){if(this.selected!==null)return[this.selected];let{bodies:e}=this.sessions[0],t=[...e.json.id.keys()].filter(o=>!e.is_static(o)),n=t.filter(o=>e.name(
+o)==="thrown"),s=Math.max(1,Math.ceil(t.length/Qg));return(n.length>0?n:t.filter((o,a)=>a%s===0)).slice(0,Qg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;
+let e=this.with_ways||this.selected!==null?this.way_ids():[],t=await Promise.all(this.sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)
+continue;let o=await n.way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.
+set_lines("ways A",{points:t[0],colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,
+session:1}:null))}resize(){let{clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function n1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
 e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bod").concat(t.count===
 1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.
 some(o=>o>0)&&r.push(lr("bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{
@@ -4021,60 +4025,61 @@ hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+
 "span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(
 ...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.
 title})]:[],...n1(l)])),n.replaceChildren(...i1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){
-s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,zs=i=>String(typeof i=="number"?i:i??"\u2013"),ps=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
-let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Vs(i,{
+s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,Vs=i=>String(typeof i=="number"?i:i??"\u2013"),ms=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
+let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Gs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
-function r1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ps("","number");if(a!==null&&
+function r1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ms("","number");if(a!==null&&
 n){let u=X("button",{type:"button",className:"link",textContent:"plot"}),h=()=>u.setAttribute("aria-pressed",String(n.has(a,e,l??0)));u.setAttribute("aria-label",
-"plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return cr(X("th",{scope:"row",textContent:c}),ps(o,
+"plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return cr(X("th",{scope:"row",textContent:c}),ms(o,
 "number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function i0(i,{id:e,
-label:t,name:n,size:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
+label:t,name:n,shape:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
 numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(m=>X("th",{scope:"col",textContent:m,className:"\
-number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:g}]of(p?.fields??[]).entries()){let x=r.map(S=>S.fields?.[m]),w=x.map(S=>S?.hex??String(S?.
-value)),b=w.length===2&&w[0]!==w[1],C=cr(X("th",{scope:"row",textContent:g}),...x.map(S=>{let _=ps("","number");return S&&c?_.append(Pn(zs(S.value),()=>c(g),"".
-concat(S.hex??""," \u2013 where does it come from?"),"".concat(g," ").concat(zs(S.value),": where does it come from?"))):_.textContent=zs(S?.value),S?.hex&&(_.title=
-S.hex),_}));C.classList.toggle("differs",b),f.append(C)}h.append(f);let y=[...n===t?[]:[n],s[0]>0?"".concat(s.map(m=>Number(m.toPrecision(4))).join(" \xD7 ")," \
-m"):"size unknown"];p&&y.push(p.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),
-o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(r1(p.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(
-r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; t\
-umble dump prints every bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));
-if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",
-Pn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".
-concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(
-X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ps(""),p=y=>Pn(n.short(
-y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ps("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),ps(
-An(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thead",{},cr(X("th",{scope:"col",textContent:"bodies"}),X(
-"th",{scope:"col",textContent:"impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scro\
-ll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function r0(i,e,t,n,s,r){if(!e)return i.replaceChildren(
-X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X(
-"p",{},Pn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(zs(e.value)," ").concat(e.unit)),
-a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},Pn("step ".concat(
-l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.
-map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.label(u.with),()=>s(u.with))),h.append("\
-: ".concat(zs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??
-[])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(
-e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(zs(i)).concat(e?" (".concat(e,")"):"");function o1(i,e){if(i.why_not)return X("p",{className:"\
-soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ps("","number");s.step===null?r.textContent="never":r.append(Pn(String(
-s.step),()=>e(s.step),"","step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ps(s.step===null?"":String(s.substep),"number"),ps(String(
-s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
-able",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},cr(...n.map(
-(s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Cd(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;
-let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(i.every_bit,"."):n===s?"Different: ".concat(
-i.unequal,"; the ").concat(i.steps," steps of both are the same in all else that was compared."):"The ".concat(i.steps," steps of both are the same; A ends with\
- step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==null&&t.push("substep ".concat(e.substep)),
-"First difference: ".concat(t.join(", "))}function o0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(
-X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Cd(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));
-let o=[],a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join("\
-, "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),
-e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=l.step!==a.step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append(
-"Effect: ",Pn("step ".concat(l.step),()=>n(l.step)),", phase ".concat(l.phase,", ")),l.body!==null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),d.append("".concat(
-l.field,": ").concat(n0(l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(
-3)):l.ulps;u!==null&&d.append(", ".concat(u," ULPs apart")),o.push(d);let h=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});
-if(h.addEventListener("click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{type:"button",className:"jump",textContent:"Go to the first state that dif\
-fers"});p.addEventListener("click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,
-step:y,body:m})=>X("li",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(y),()=>n(y)),", ",Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"\
-soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"\
-soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:x}]of(p?.fields??[]).entries()){let S=r.map(_=>_.fields?.[m]),b=S.map(_=>_?.hex??String(_?.
+value)),C=b.length===2&&b[0]!==b[1],w=cr(X("th",{scope:"row",textContent:x}),...S.map(_=>{let M=ms("","number");return _&&c?M.append(Pn(Vs(_.value),()=>c(x),"".
+concat(_.hex??""," \u2013 where does it come from?"),"".concat(x," ").concat(Vs(_.value),": where does it come from?"))):M.textContent=Vs(_?.value),_?.hex&&(M.title=
+_.hex),M}));w.classList.toggle("differs",C),f.append(w)}h.append(f);let y=[...n===t||s.startsWith(n)?[]:[n],s];p&&y.push(p.frozen?"asleep":"awake"),r.filter(m=>m.
+fields).length===1&&r.length===2&&r.some(({absent:m})=>m)&&y.push("only in ".concat(p===r[0]?"A":"B")),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(
+/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(r1(p.channels,e,a,l)),u&&i.append(
+X("p",{className:"soft",textContent:"".concat(r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"\
+soft",textContent:"Rounded in this page; tumble dump prints every bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X(
+"p",{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.
+append(X("p",{},"The nearest with contacts: ",Pn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort(
+(h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce(
+(h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X(
+"tbody",{},...a.map(h=>{let f=ms(""),p=y=>Pn(n.short(y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ms("".concat(
+Number((h[9]??0).toPrecision(3))," N s"),"number"),ms(An(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thea\
+d",{},cr(X("th",{scope:"col",textContent:"bodies"}),X("th",{scope:"col",textContent:"impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"\
+number"}))),d);i.append(X("div",{className:"scroll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function r0(i,e,t,n,s,r){
+if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"so\
+ft",textContent:e.why_not}));let o=X("p",{},Pn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").
+concat(Vs(e.value)," ").concat(e.unit)),a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(
+l.substep),d=X("li",{},Pn("step ".concat(l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(
+X("ul",{className:"shares"},...l.shares.map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.
+label(u.with),()=>s(u.with))),h.append(": ".concat(Vs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",
+textContent:e.ends}));for(let l of e.notes??[])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Fu\
+rther back"});l.addEventListener("click",()=>r(e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(Vs(i)).concat(e?" (".concat(e,")"):"");function o1(i,e){
+if(i.why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ms("","number");s.step===null?
+r.textContent="never":r.append(Pn(String(s.step),()=>e(s.step),"","step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ms(s.step===null?
+"":String(s.substep),"number"),ms(String(s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];
+return X("div",{className:"scroll"},X("table",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").
+concat(i.last)}),X("thead",{},cr(...n.map((s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Cd(i){if(!i||i.state==="working")
+return"";if(i.state==="failed")return i.why;let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(
+i.every_bit,"."):n===s?"Different: ".concat(i.unequal,"; the ").concat(i.steps," steps of both are the same in all else that was compared."):"The ".concat(i.steps,
+" steps of both are the same; A ends with step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==
+null&&t.push("substep ".concat(e.substep)),"First difference: ".concat(t.join(", "))}function o0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.
+floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Cd(e);if(e.state==="failed")
+return i.replaceChildren(X("p",{className:"bad",textContent:r}));let o=[],a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(
+X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join(
+"; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=l.step!==a.
+step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append("Effect: ",Pn("step ".concat(l.step),()=>n(l.step)),", phase ".concat(l.phase,", ")),l.body!==
+null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),l.field==="body"?d.append("only in ".concat(l.actual===null?"A":"B")):d.append("".concat(l.field,": ").concat(n0(
+l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;u!==
+null&&d.append(", ".concat(u," ULPs apart")),o.push(d);let h=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});if(h.addEventListener(
+"click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{type:"button",className:"jump",textContent:"Go to the first state that differs"});p.addEventListener(
+"click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,step:y,body:g})=>X("l\
+i",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(y),()=>n(y)),", ",Pn(t(g),()=>s(g)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"\
+Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));
+return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d  D","the first difference, the first state that differs"],["/","search"],["n  N","ne\
 xt run of steps found, the one before"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in \
 the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s,
@@ -4084,7 +4089,7 @@ player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.play
 first),End:()=>i.player.seek(i.steps.last),"[":()=>a0(i,-1),"]":()=>a0(i,1),d:()=>i.go_to_first_difference(),D:()=>i.go_to_first_effect(),"/":()=>i.search.focus(),
 n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener("keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||
 s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.key===" "||s.key==="Enter"))return;let o=e[s.key]??
-(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Vs("Keys",{open:!1});return n.append(X("dl",{className:"key\
+(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Gs("Keys",{open:!1});return n.append(X("dl",{className:"key\
 s"},...a1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
 Number(i.toPrecision(6))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),l1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
 "\u2013",u0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:l1,top:i=>Math.max(1,...c1(i.bodies))},{name:"contacts",kind:"line",of:(i,e)=>i.
@@ -4105,8 +4110,8 @@ let[{rows:r,bodies:o}]=this.page.sessions,{name:a,unit:l}=r.channel_heads[e],c=n
 this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:p0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>h1&&this.chosen.delete(this.chosen.keys().next().value),
 this.read(s)}this.page.set_lanes()}async read(e){let{channel:t,a:n,b:s,history:r}=this.chosen.get(e),o=a=>(Object.assign(r,{step:a.step,value:a.value}),this.page.
 timeline.draw(),this.chosen.has(e));try{o(await this.page.sessions[0].channel_history(t,n,s,o))}catch(a){this.page.header.trouble(a)}}again(){for(let e of this.
-chosen.keys())this.read(e)}};var rh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Vs("Body"),this.blame_panel=Vs("Where it comes from"),this.blame_panel.place.hidden=
-!0,this.contact_panel=Vs("Contacts"),this.input_panel=Vs("Inputs",{open:!1}),this.difference_panel=Vs("Comparison"),this.places=[...this.sessions.length===2?[this.
+chosen.keys())this.read(e)}};var rh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Gs("Body"),this.blame_panel=Gs("Where it comes from"),this.blame_panel.place.hidden=
+!0,this.contact_panel=Gs("Contacts"),this.input_panel=Gs("Inputs",{open:!1}),this.difference_panel=Gs("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
 this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
 next_contacts!==null;){let e=this.next_contacts;this.next_contacts=null,await this.show_contacts(e)}}async show_contacts(e){let t=await Promise.all(this.sessions.
@@ -4120,11 +4125,11 @@ own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return
 row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,this.page.toolbar.show(),this.page.drawing.show()}],
 ["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].
 map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));i0(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
-void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,bodies:s.bodies,plots:s===this.sessions[0]?this.page.plots:null,asked:this.
-sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.
-open=!0;let r=this.blamed={},o=a=>r0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,
-l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);if(this.blamed!==r)return;o(a);let[l]=a.answers??[];this.page.tell(a.why_not??"".concat(a.field," ").
-concat(zs(a.value)," comes from step ").concat(l.step,", ").concat(l.phase,": ").concat(l.text))}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){
+void 0?"":s.bodies.name(r),shape:r===void 0?"size unknown":s.bodies.shape_words(r),answers:n,actions:o,bodies:s.bodies,plots:s===this.sessions[0]?this.page.plots:
+null,asked:this.sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.
+blame_panel.place.open=!0;let r=this.blamed={},o=a=>r0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.
+show_blame(e,t,n,l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);if(this.blamed!==r)return;o(a);let[l]=a.answers??[];this.page.tell(a.why_not??"".concat(
+a.field," ").concat(Vs(a.value)," comes from step ").concat(l.step,", ").concat(l.phase,": ").concat(l.text))}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){
 o0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e)),this.page.tell(Cd(this.page.difference))}label(e){
 return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??this.sessions[0]).bodies.label(e)}show_inputs(){let{events:e}=this.sessions[0].rows;if(this.inputs_shown===
 e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel.body.replaceChildren(e.length===0?X("p",{className:"soft",textContent:"None."}):
@@ -4143,8 +4148,8 @@ kind:"wrong",words:'"'.concat(n[2],'" is not the unit of ').concat(e,", which ")
  no number')}}function g0(i,e){let t=/^channel\.(.+)$/i.exec(i)?.[1];return t!==void 0&&!(i in e)&&t in e?t:null}function _0(i,e){let t=i.split(/(\s+and\s+)/i),
 n=[];for(let s=1;s<t.length;s+=2)n.push([t.slice(0,s).join(""),t.slice(s+1).join("")]);return n.find(s=>s.every(e))??n[0]??[i]}function x0(i,e=[]){let t=Di(Object.
 fromEntries(e.map(({name:f,unit:p})=>[f,p]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+(\d+)$/i.exec(n);if(s)return{kind:"step",step:Number(s[1])};
-let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,y,m={})=>{let{
-bound:g,...x}=p1(r[3],p,y);return g===void 0?x:{kind:f,quantity:p,unit:y,comparison:l,bound:g,...m}},d=(f,p,y)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
+let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,y,g={})=>{let{
+bound:m,...x}=p1(r[3],p,y);return m===void 0?x:{kind:f,quantity:p,unit:y,comparison:l,bound:m,...g}},d=(f,p,y)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
 ity').concat(p,"; there are ").concat(y.flatMap(Object.keys).join(", "))}),u=g0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
 exec(o);if(h){let f=h[1].toLowerCase(),p=g0(h[1],t);return p!==null?c("channel steps",p,t[p],{body:h[2]}):f in ah?c("body steps",f,ah[f].unit,{body:h[2]}):h[1]in
 t?c("channel steps",h[1],t[h[1]],{body:h[2]}):d(h[1]," of a body",[ah,t])}return a in oh?c("steps",a,oh[a].unit):o in t?c("steps",o,t[o]):d(o,"",[oh,t])}function y0(i,e,t){
@@ -4156,41 +4161,43 @@ i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}fu
 An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}function b0(i){let e=X("input",{type:"search",placeholder:"speed > 5, speed of 12\
  > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a condition, or for a body by id or name");let t=X("output",
 {ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:p}=i.sessions[0],y=p.find(s.text);return t.value=y.length===
-0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(m=>X("li",{},Pn(p.label(p.id(m)),()=>i.select(
-p.id(m))),p.label(p.id(m)).includes(p.name(m))?"":" ".concat(p.name(m))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:m}=i.sessions[0];return m?
-(t.value="the timeline was not read: ".concat(m),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,g=>i.separation_at(g)),s.unit,y)},l=p=>i.sessions.slice(0,
-p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,m=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),g=[...new Set(m.flat())];if(g.
-length!==1)return t.value=g.length===0?'no body "'.concat(y.body,'"'):"".concat(g.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
-i.set_hits([]),[];let{unit:x}=y,w=y.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],S=_=>s!==y?!1:(b[0]&&(!w||b[1])&&(C=u(v0(y,...b),x,_,_1(i.
-sessions[0],x))),!0);try{for(let _ of w?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(g[0],R=>(b[_]=R,S(!1)&&s===y)),!S(M&&l(w)))return[]}p&&i.selected!==
-g[0]&&i.select(g[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,m=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
-{of:g,unit:x}=y.rows.channel_heads[m],w=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=g==="pairs"?_0(p.body,M=>y.bodies.find(M).length===1):[p.body];if(g===
-"step")return w('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(g==="pairs"&&b.length!==2)return w('"'.concat(p.quantity,'" is a channel \
-of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!y.channel_history)return w("this page has no channels of single bodies; a served page (tumble view withou\
-t -o) has");let C=b.map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return w(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' \
-bodies answer to "').concat(b[M],'"; wanted one'));let[S,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(m,S,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===
-p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&w(M.message)}},u=({runs:p,judged:y},m,g,x="")=>{let w=g?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"\
-no step has a value of it".concat(w):"in no step".concat(w);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(
-w,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+x,r=p.slice(0,lh).map(S=>{let _=S.first===
-S.last?"step ".concat(S.first):"steps ".concat(S.first," to ").concat(S.last),M=X("li",{},Pn(_,()=>i.player.seek(S.first)),m1[s.comparison],Pn("".concat(g1(S.peak,
-m)),()=>i.player.seek(S.at),"at step ".concat(S.at)));return S.body&&M.append(", ",Pn(i.sessions[0].bodies.label(S.body),()=>i.select(S.body))),M}),n.replaceChildren(
+0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(g=>X("li",{},Pn(p.label(p.id(g)),()=>i.select(
+p.id(g))),p.label(p.id(g)).includes(p.name(g))?"":" ".concat(p.name(g))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:g}=i.sessions[0];return g?
+(t.value="the timeline was not read: ".concat(g),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,m=>i.separation_at(m)),s.unit,y)},l=p=>i.sessions.slice(0,
+p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,g=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),m=[...new Set(g.flat())];if(m.
+length!==1)return t.value=m.length===0?'no body "'.concat(y.body,'"'):"".concat(m.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
+i.set_hits([]),[];let{unit:x}=y,S=y.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],w=_=>s!==y?!1:(b[0]&&(!S||b[1])&&(C=u(v0(y,...b),x,_,_1(i.
+sessions[0],x))),!0);try{for(let _ of S?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(m[0],R=>(b[_]=R,w(!1)&&s===y)),!w(M&&l(S)))return[]}p&&i.selected!==
+m[0]&&i.select(m[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,g=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
+{of:m,unit:x}=y.rows.channel_heads[g],S=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=m==="pairs"?_0(p.body,M=>y.bodies.find(M).length===1):[p.body];if(m===
+"step")return S('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(m==="pairs"&&b.length!==2)return S('"'.concat(p.quantity,'" is a channel \
+of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!y.channel_history)return S("this page has no channels of single bodies; a served page (tumble view withou\
+t -o) has");let C=b.map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return S(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' \
+bodies answer to "').concat(b[M],'"; wanted one'));let[w,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(g,w,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===
+p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&S(M.message)}},u=({runs:p,judged:y},g,m,x="")=>{let S=m?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"\
+no step has a value of it".concat(S):"in no step".concat(S);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(
+S,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+x,r=p.slice(0,lh).map(w=>{let _=w.first===
+w.last?"step ".concat(w.first):"steps ".concat(w.first," to ").concat(w.last),M=X("li",{},Pn(_,()=>i.player.seek(w.first)),m1[s.comparison],Pn("".concat(g1(w.peak,
+g)),()=>i.player.seek(w.at),"at step ".concat(w.at)));return w.body&&M.append(", ",Pn(i.sessions[0].bodies.label(w.body),()=>i.select(w.body))),M}),n.replaceChildren(
 ...r),p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," more")})),i.set_hits(p),p},h=()=>(r=[],s=x0(e.value,i.sessions[0].rows.
 channel_heads),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.
 value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
 "keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="bod\
-y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,m)=>{
-let g=X("button",{type:"button",textContent:p,title:y});return g.setAttribute("aria-label",y),g.addEventListener("click",()=>i.next_hit(m)),g};return{place:X("d\
+y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,g)=>{
+let m=X("button",{type:"button",textContent:p,title:y});return m.setAttribute("aria-label",y),m.addEventListener("click",()=>i.next_hit(g)),m};return{place:X("d\
 iv",{className:"search"},X("div",{className:"search-row"},e,f("\u2039","the run of steps before (N)",-1),f("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.
-focus(),at(p){r.forEach((y,m)=>y.classList.toggle("at",m===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
+focus(),at(p){r.forEach((y,g)=>y.classList.toggle("at",g===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
 channel steps"&&d()}}}var x1=["box","grid","tower","pyramid","wall","pile","thrown"];var y1=["crate","brick","wood","concrete","white"],uo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
-return this.json.static[e]===1}texture(e){return y1[this.json.texture[e]]??""}body(e){let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{
-...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=x1[n]??"body";return n===
-0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}label(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n===
-""?"body ".concat(e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n!==
-""&&e>=4503599627370496?n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?
-[]:[r]}let n=[...this.rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).
-toLowerCase().includes(t)&&s.push(r);return s}};var M0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function Ta(i,e){for(let t of e)
+return this.json.static[e]===1}texture(e){return y1[this.json.texture[e]]??""}shape_words(e){let t=this.size(e),n=t[0]>0?"".concat(t.map(r=>Number(r.toPrecision(
+4))).join(" \xD7 ")," m"):"size unknown",s=this.json.shapes?.[this.json.shape?.[e]??-1];return s?s.points.length>0?"".concat(s.words,", ").concat(n):s.words:n}body(e){
+let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)
+return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=this.json.shapes?.[this.json.shape?.[e]??-1],l=n===0&&a?a.kind:x1[n]??"body";return n===0||n===6?l:"".
+concat(l," ").concat(s,", row ").concat(r,", column ").concat(o)}label(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n===""?"body ".concat(
+e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n!==""&&e>=4503599627370496?
+n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?[]:[r]}let n=[...this.
+rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).toLowerCase().includes(
+t)&&s.push(r);return s}};var M0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function Ta(i,e){for(let t of e)
 i.push(typeof t=="string"?Number(t):t)}var fo=class{constructor(e=[]){this.channel_heads=e;for(let t of M0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(
 t),this.events=[],this.begun_why_not="",this.channels=Di(),this.bounds=[]}get count(){return this.step.length}append(e){for(let t of M0)Ta(this[t],e[t]);e.bounds.
 forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.
@@ -4204,7 +4211,7 @@ step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([v1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var S0=async i=>JSON.parse(new TextDecoder().decode(await T0(i))),w0=i=>i>>>1^-(i&1);function b1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=w0(y)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,g=w0(y)+2*u-h|0;h=u,u=g,l[f*t+c]=g*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
 t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=w0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
 e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ld=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new uo(t.bodies),this.rows=new fo(e.channels),this.
 rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
@@ -4213,7 +4220,7 @@ map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
 o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(this.steps[o])-
-this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==or&&(s[d]=
+this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==ps&&(s[d]=
 Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*this.
 head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
 e)===null?{step:e,why_not:"the log of another engine holds no contacts"}:{step:e,why_not:"this page has no contacts of this state; a served page (tumble view wi\
@@ -4222,11 +4229,11 @@ e)<Math.abs(n-e)?s:n)}async way(e){let t=this.bodies.row(e),n=this.bodies.count,
 o);for(let c of this.columns.place)r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async history(e){let t=this.bodies.row(e),n={id:e,step:[],x:[],y:[],z:[],
 speed:[],asleep:[]};for(let s of t===void 0?[]:this.steps){let r=this.frame(s),o=r.mark[t]===1||r.mark[t]===2;n.step.push(s);for(let a of["x","y","z","speed"])n[a].
 push(o?r[a][t]:null);n.asleep.push(o?+(r.mark[t]===2):null)}return n}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===
-or)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"\
-orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y","z"].map(a=>({
-field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function A0(i){let e=[];
-for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([S0("session-".concat(n,"-details")),T0("session-".concat(n,"-frames"))]);e.push(new Ld(s,r,o))}let t=document.
-getElementById("session-0-difference")?await S0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var M1=16e7,Nd=24,S1=700,w1=120;async function E0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+ps)return{why_not:"not there in this state",absent:!0};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map(
+(a,l)=>({field:"orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y",
+"z"].map(a=>({field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function A0(i){
+let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([S0("session-".concat(n,"-details")),T0("session-".concat(n,"-frames"))]);e.push(new Ld(s,r,
+o))}let t=document.getElementById("session-0-difference")?await S0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var M1=16e7,Nd=24,S1=700,w1=120;async function E0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
 if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await E0(i,e)).json();function T1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(y=>e.getUint32(n+y,!0));n+=16;let l=[0,1,2,3].map(y=>new Float32Array(i,n+4*y*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
@@ -4265,24 +4272,24 @@ i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.
 s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function P1(i,e,t,n,s,r){let{context:o,width:a,height:l}=P0(i),c=C1(t,e.of,n,a),d=R1(c,e,t);if(!d)return!1;let u=e.log?
 x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
 r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.
-fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,m=0,g=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(g=x,p(c.high[x])),
-y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),m=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
-m,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function I0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
-group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=R0(E1),l=X("span",{className:"value"}),c=[],d=0,u=x=>w=>(w-e().first)/
-Math.max(1,e().last-e().first)*(x-1),h=(x,w,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),w),b),f=x=>{c=x.map(
-w=>{let b=R0(A1),C=X("span",{className:"value"});return{lane:w,canvas:b,value:C,row:h(w.name,C,b,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),
-o)},p=()=>{let{context:x,width:w,height:b}=P0(a),C=s(),{gaps:S,inputs:_,hits:M,first_difference:R}=n(),P=u(w);x.fillStyle=C.line,x.fillRect(0,b/2-1,w,2);for(let[
-I,F]of S)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(P(I),2,Math.max(2,P(F)-P(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(P(I.first),
+fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,g=0,m=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(m=x,p(c.high[x])),
+y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),g=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
+g,l),o.lineTo(m,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function I0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
+group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=R0(E1),l=X("span",{className:"value"}),c=[],d=0,u=x=>S=>(S-e().first)/
+Math.max(1,e().last-e().first)*(x-1),h=(x,S,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),S),b),f=x=>{c=x.map(
+S=>{let b=R0(A1),C=X("span",{className:"value"});return{lane:S,canvas:b,value:C,row:h(S.name,C,b,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),
+o)},p=()=>{let{context:x,width:S,height:b}=P0(a),C=s(),{gaps:w,inputs:_,hits:M,first_difference:R}=n(),P=u(S);x.fillStyle=C.line,x.fillRect(0,b/2-1,S,2);for(let[
+I,F]of w)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(P(I),2,Math.max(2,P(F)-P(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(P(I.first),
 b-7,Math.max(2,P(I.last)-P(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){let F=P(I);x.beginPath(),x.moveTo(F-4,1),x.lineTo(F+4,1),x.lineTo(F,9),x.fill()}R!==
-null&&(x.fillStyle=C.bad,x.fillRect(P(R)-1,0,2,b),x.beginPath(),x.moveTo(P(R)+1,0),x.lineTo(P(R)+9,4),x.lineTo(P(R)+1,8),x.fill())},y=()=>{let x=i.index(d),w=i.
-reaches(d)?x:-1;for(let{lane:S,value:_}of c)_.textContent=w<0||i.step[w]===void 0?"\u2013":S.words(i,w);let b=n().inputs.filter(S=>S.step===d);l.textContent=b.length>
-0?b.map(({kind:S,body:_})=>"".concat(S).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
-offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},m=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:w,canvas:b,row:C},S)=>{
-let _=P1(b,w,i,u(b.clientWidth),w.bad?x.bad:x.lanes[S%x.lanes.length],x);C.hidden=!_&&(w.only_if_any||w.late)}),y()},g=x=>{if(x.buttons===0)return;let w=a.getBoundingClientRect(),
-b=Math.min(1,Math.max(0,(x.clientX-w.left)/Math.max(1,w.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
-x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),g(x))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,
-show(x){d=x,y()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
-addEventListener("click",()=>{y(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+null&&(x.fillStyle=C.bad,x.fillRect(P(R)-1,0,2,b),x.beginPath(),x.moveTo(P(R)+1,0),x.lineTo(P(R)+9,4),x.lineTo(P(R)+1,8),x.fill())},y=()=>{let x=i.index(d),S=i.
+reaches(d)?x:-1;for(let{lane:w,value:_}of c)_.textContent=S<0||i.step[S]===void 0?"\u2013":w.words(i,S);let b=n().inputs.filter(w=>w.step===d);l.textContent=b.length>
+0?b.map(({kind:w,body:_})=>"".concat(w).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
+offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},g=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:S,canvas:b,row:C},w)=>{
+let _=P1(b,S,i,u(b.clientWidth),S.bad?x.bad:x.lanes[w%x.lanes.length],x);C.hidden=!_&&(S.only_if_any||S.late)}),y()},m=x=>{if(x.buttons===0)return;let S=a.getBoundingClientRect(),
+b=Math.min(1,Math.max(0,(x.clientX-S.left)/Math.max(1,S.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
+x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),m(x))}),r.addEventListener("pointermove",m),new ResizeObserver(g).observe(r),{place:r,draw:g,set_lanes:f,
+show(x){d=x,y()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let g=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return g.
+addEventListener("click",()=>{y(),u()}),{made:g,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
@@ -4322,17 +4329,17 @@ let[n]=this.sessions,[s]=t,r=["step ".concat(e),"".concat(n.time_of(e).toFixed(3
 o[2]+o[3];if(r.push("".concat(a," bod").concat(a===1?"y":"ies",", ").concat(o[2]," asleep")),o[3]>0){let l=s.mark.indexOf(3);r.push("".concat(n.bodies.label(n.bodies.
 id(l))).concat(o[3]>1?" and ".concat(o[3]-1," more"):""," lost: no numbers"))}s.step!==e&&r.push("A shows step ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(
 e)[2]);if(this.sessions.length===2){let o=this.difference?.first?.step,a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?
-"infinitely far apart":"at most ".concat(a.toPrecision(3)," m apart"))}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===
-null?"":"&body=".concat(this.selected));try{history.replaceState(null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.
-header.trouble(n))}refresh(){this.player.refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_playing(e){this.said.setAttribute("aria-live",e===0?
-"polite":"off"),this.tell(e===0?"stopped at ".concat(this.said.value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell(e===null?"no bod\
-y is chosen":"".concat(this.side.label(e)," is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.
-drawing.show(),this.drawing.show_ways().catch(t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){
-let e=this.difference?.first?.step;e!==void 0&&this.player.seek(e)}go_to_first_effect(){let e=this.difference?.effect?.step;e!==void 0&&this.player.seek(e)}set_hits(e){
-this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.
-hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function N0(i){try{let e=JSON.parse(document.getElementById("se\
-ssion-head").textContent),t=await(e.mode==="sent"?A0:C0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(X("p",{className:"bad",textContent:"\
-This cannot be drawn: ".concat(e.message)})),e}}function L1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+"infinitely far apart":"at most ".concat(a.toPrecision(3)," m apart")),r.push(...this.drawing.only_in_words())}return r.join(" \xB7 ")}async settled(e){let t="#\
+step=".concat(e).concat(this.selected===null?"":"&body=".concat(this.selected));try{history.replaceState(null,"",t)}catch{}this.player.direction!==0&&this.served||
+await this.side.settled(e).catch(n=>this.header.trouble(n))}refresh(){this.player.refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_playing(e){
+this.said.setAttribute("aria-live",e===0?"polite":"off"),this.tell(e===0?"stopped at ".concat(this.said.value):e>0?"playing":"playing backwards")}select(e){e!==
+this.selected&&this.tell(e===null?"no body is chosen":"".concat(this.side.label(e)," is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.
+following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().catch(t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),
+this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.first?.step;e!==void 0&&this.player.seek(e)}go_to_first_effect(){let e=this.difference?.
+effect?.step;e!==void 0&&this.player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.
+hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function N0(i){
+try{let e=JSON.parse(document.getElementById("session-head").textContent),t=await(e.mode==="sent"?A0:C0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){
+throw i.append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function L1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
 groups??"").split(" "),s=Np(i,e,{first:t,groups:n}),r=Kg(i,e,s.show_step);Xa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
 i)}function N1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
 try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var U0=document.createElement(

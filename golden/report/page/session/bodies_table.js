@@ -22,6 +22,15 @@ export class BodyTable {
   is_static(row) { return this.json.static[row] === 1; }
   texture(row) { return kTextures[this.json.texture[row]] ?? ""; }
 
+  /// "sphere of radius 0.5 m", "hull of 12 points, 1 × 2 × 1 m", "1 × 1 × 1 m" of a box.
+  shape_words(row) {
+    const size = this.size(row);
+    const edges = size[0] > 0 ? `${size.map((edge) => Number(edge.toPrecision(4))).join(" × ")} m` : "size unknown";
+    const shape = this.json.shapes?.[this.json.shape?.[row] ?? -1];
+    if (!shape) return edges;
+    return shape.points.length > 0 ? `${shape.words}, ${edges}` : shape.words;
+  }
+
   /// As the viewer's stage takes it.
   body(row) {
     const index = this.json.shape?.[row] ?? -1;
@@ -29,12 +38,13 @@ export class BodyTable {
     return { ...shape, shape: shape.kind, index, size: this.size(row) };
   }
 
-  /// "wall 0, row 2, column 5", "thrown"; the name that the log has for it, if any.
+  /// "wall 0, row 2, column 5", "thrown", "box", "sphere"; the name that the log has for it, if any.
   name(row) {
     const own = this.json.name?.[row];
     if (own) return own;
     const [kind, table, line, column] = this.json.origin.slice(4 * row, 4 * row + 4);
-    const word = kKinds[kind] ?? "body";
+    const shape = this.json.shapes?.[this.json.shape?.[row] ?? -1];
+    const word = kind === 0 && shape ? shape.kind : kKinds[kind] ?? "body";
     return kind === 0 || kind === 6 ? word : `${word} ${table}, row ${line}, column ${column}`;
   }
 

@@ -109,11 +109,34 @@ export class Drawing {
     return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) : null;
   }
 
+  /// The ids of bodies that session s has in the state shown and the other one has not; none where the two show other steps.
+  only_in(s) {
+    const [one, other] = [this.frames[s], this.frames[1 - s]];
+    if (!one || !other || one.status !== 0 || other.status !== 0 || one.step !== other.step) return new Set();
+    const { bodies } = this.sessions[1 - s];
+    const is_there = (id) => {
+      const row = bodies.row(id);
+      return row !== undefined && row < other.rows && other.mark[row] !== kAbsent;
+    };
+    const ids = this.sessions[s].bodies.json.id.filter((id, row) => row < one.rows && one.mark[row] !== kAbsent && !is_there(id));
+    return new Set(ids);
+  }
+
+  /// "1 body only in A", "2 bodies only in B".
+  only_in_words() {
+    return ["A", "B"].flatMap((side, s) => {
+      const count = this.only_in(s).size;
+      return count === 0 ? [] : [`${count} bod${count === 1 ? "y" : "ies"} only in ${side}`];
+    });
+  }
+
   colour_of(session, frame) {
     const { bodies } = session;
+    const alone = this.only_in(this.sessions.indexOf(session));
     return (row, tone) => {
       const id = bodies.id(row);
       if (id === this.selected) return tone.set(this.hue.select);
+      if (alone.has(id)) return tone.set(this.hue.bad);
       if (this.paint === "speed") return heat(frame.speed[row] / this.top_speed, tone);
       if (this.paint === "apart") return heat(Math.log10(Math.max(1e-9, this.apart(id) ?? 0) / 1e-9) / 9, tone);
       const asleep = frame.mark[row] === kFrozen;
@@ -159,7 +182,11 @@ export class Drawing {
       const shown = frame && frame.status === 0 ? frame : null;
       const paint = shown ? { colour: this.colour_of(session, shown), lost: this.lost_in(session, shown) } : {};
       if (shown && i === 1 && !this.side_by_side) {
-        paint.colour = (row, tone) => session.bodies.id(row) === this.selected && tone.set(this.hue.select);
+        const alone = this.only_in(1);
+        paint.colour = (row, tone) => {
+          const id = session.bodies.id(row);
+          return (id === this.selected || alone.has(id)) && tone.set(id === this.selected ? this.hue.select : this.hue.bad);
+        };
         paint.hidden = (row) => (this.apart(session.bodies.id(row)) ?? 1) < kApart_m;
       }
       this.bodies[i].show(shown, paint);

@@ -46,7 +46,7 @@ function channel_table(channels, id, bodies, plots) {
 }
 
 /// answers: one of body_at() a session. asked(field): null, or what is called when a value is pressed.
-export function show_body(body, { id, label, name, size, answers, actions, bodies, plots = null, asked = null }) {
+export function show_body(body, { id, label, name, shape, answers, actions, bodies, plots = null, asked = null }) {
   const heads = answers.length === 2 ? ["A", "B"] : ["value"];
   const lost = answers.find((answer) => answer.why_not);
   const table = element("table", { className: "numbers", ariaLabel: `values of ${label}` });
@@ -72,8 +72,10 @@ export function show_body(body, { id, label, name, size, answers, actions, bodie
     rows.append(made);
   }
   table.append(rows);
-  const facts = [...(name === label ? [] : [name]), size[0] > 0 ? `${size.map((edge) => Number(edge.toPrecision(4))).join(" × ")} m` : "size unknown"];
+  const facts = [...(name === label || shape.startsWith(name) ? [] : [name]), shape];
   if (first) facts.push(first.frozen ? "asleep" : "awake");
+  const sides = answers.filter((answer) => answer.fields).length === 1 && answers.length === 2;
+  if (sides && answers.some(({ absent }) => absent)) facts.push(`only in ${first === answers[0] ? "A" : "B"}`);
   body.replaceChildren(element("p", {}, element("strong", { textContent: label.replace(/^body /, "Body ") }), ` ${facts.join(" · ")}`), actions);
   if (first) body.append(element("div", { className: "scroll" }, table));
   if (first?.channels?.length > 0) {
@@ -200,7 +202,8 @@ export function show_difference(body, found, label, go, select) {
     const what = element("p", { className: "effect" });
     if (later || effect.phase !== first.phase) what.append("Effect: ", link(`step ${effect.step}`, () => go(effect.step)), `, phase ${effect.phase}, `);
     if (effect.body !== null) what.append(link(label(effect.body), () => select(effect.body)), ", ");
-    what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
+    if (effect.field === "body") what.append(`only in ${effect.actual === null ? "A" : "B"}`);
+    else what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
     // JSON numbers here are doubles: larger counts are not exact.
     const ulps = effect.ulps > Number.MAX_SAFE_INTEGER ? `about ${effect.ulps.toPrecision(3)}` : effect.ulps;
     if (ulps !== null) what.append(`, ${ulps} ULPs apart`);

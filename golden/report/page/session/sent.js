@@ -165,7 +165,7 @@ class SentSession {
   async body_at(step, id) {
     const row = this.bodies.row(id);
     const frame = this.frame(step);
-    if (!frame || row === undefined || frame.mark[row] === kAbsent) return { why_not: "not there in this state" };
+    if (!frame || row === undefined || frame.mark[row] === kAbsent) return { why_not: "not there in this state", absent: true };
     if (frame.mark[row] === 3) return { why_not: "a value of its state is no number" };
     const unit = 32767;
     const turn = ["w", "x", "y", "z"].map((axis, c) => ({ field: `orientation.${axis}`,

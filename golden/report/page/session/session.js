@@ -200,6 +200,7 @@ export class SessionPage {
       const apart = this.separation_at(step);
       if (first !== undefined && step < first) parts.push("the same in both");
       else if (apart !== null) parts.push(apart === Infinity ? "infinitely far apart" : `at most ${apart.toPrecision(3)} m apart`);
+      parts.push(...this.drawing.only_in_words());
     }
     return parts.join(" · ");
   }

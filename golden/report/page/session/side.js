@@ -80,7 +80,7 @@ export class Side {
       return made;
     }));
     show_body(this.body_panel.body, { id, label: session.bodies.label(id), name: row === undefined ? "" : session.bodies.name(row),
-      size: row === undefined ? [0, 0, 0] : session.bodies.size(row), answers, actions,
+      shape: row === undefined ? "size unknown" : session.bodies.shape_words(row), answers, actions,
       bodies: session.bodies, plots: session === this.sessions[0] ? this.page.plots : null, asked: this.sessions[0].head.blames && this.sessions[0].blame ? (field) => this.show_blame(step, id, field) : null });
   }
 

@@ -1,0 +1,38 @@
+#include "tools/bisect/answer.h"
+
+#include <algorithm>
+
+#include "src/base/check.h"
+
+namespace tumble::tools::bisect {
+
+Answer skipped(const std::string& why) { return {false, false, why, {}, {}, {}, {}, {}}; }
+
+bool differ(const Answer& a, const Answer& b) {
+  return !a.outcome.empty() && !b.outcome.empty() && a.outcome != b.outcome;
+}
+
+Answer answer_of(const std::vector<Answer>& answers) {
+  SIM_CHECK(!answers.empty(), answers.size());
+  const auto count = [&](bool asked, bool yes) {
+    return std::ranges::count_if(answers, [&](const Answer& one) { return one.asked == asked && one.yes == yes; });
+  };
+  const auto yes = count(true, true), no = count(true, false), none = count(false, false);
+  const auto most = std::max({yes, no, none});
+  const bool tie = (yes == most) + (no == most) + (none == most) > 1;
+  const auto wanted = [&](const Answer& one) {
+    if (tie || none == most) return !one.asked;
+    return one.asked && one.yes == (yes == most);
+  };
+  const auto found = std::ranges::find_if(answers, wanted);
+  Answer answer = found == answers.end() ? skipped("its answer is not repeatable") : *found;
+  const auto unlike = std::ranges::find_if(answers, [&](const Answer& one) { return differ(answer, one); });
+  if (unlike != answers.end()) answer.other = unlike->message;
+  if (most == std::ssize(answers)) return answer;
+  answer.not_repeatable =
+      std::to_string(yes) + " of " + std::to_string(answers.size()) + " times yes, " + std::to_string(no) + " times no";
+  if (none > 0) answer.not_repeatable += ", " + std::to_string(none) + " times it could not be asked";
+  return answer;
+}
+
+}  // namespace tumble::tools::bisect
