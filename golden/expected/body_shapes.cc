@@ -24,7 +24,7 @@ std::string both_shapes(const BodyShape* before, const BodyShape* now) {
 }
 
 /// Whether any state that a golden keeps has a body, or an input that it keeps brings it.
-bool is_in(const Expected& expected, sim::BodyId id) {
+bool golden_has(const Expected& expected, sim::BodyId id) {
   const auto has = [id](const std::vector<sim::BodyId>& ids) { return std::ranges::binary_search(ids, id); };
   const auto brings = [id](const sim::Command& input) {
     const auto* thrown = std::get_if<sim::Throw>(&input);
@@ -74,7 +74,7 @@ std::vector<std::string> other_shapes(const Expected& expected, const ShapesKeep
     if (before != nullptr && now != nullptr && before->shape == now->shape) continue;
     if (++count > kShapesNamed) continue;
     const std::string body = actual.names().text(id);
-    if (before == nullptr && !is_in(expected, id)) {
+    if (before == nullptr && !golden_has(expected, id)) {
       sentences.push_back(body + " is not in the golden");
     } else if (now == nullptr && !actual.ids().contains(id)) {
       sentences.push_back(body + " is in the golden and not in the session");

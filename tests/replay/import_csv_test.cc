@@ -239,9 +239,8 @@ TEST(ImportCsv, ErrorsNameFileLineAndColumn) {
   expect(table("# dt: 0.1\n# mass: -1\n", good), "t.csv:4:3: body 1: found a mass of -1");
   std::string text = table("# dt: 0.1\n", good);
   text.replace(text.find("position.x"), 10, "position.q");
-  expect(
-      text,
-      "t.csv:2:9: found column \"position.q\", wanted step, id, position.x or another of the format (is position.");
+  expect(text,
+         "t.csv:2:9: found column \"position.q\", wanted step, id, position.x or another of the format (is position.");
   text = table("# dt: 0.1\n", good);
   text.replace(text.find("velocity.x"), 10, "_");
   expect(text, "t.csv:2:1: found 2 columns of velocity, wanted 3");
