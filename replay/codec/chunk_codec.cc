@@ -225,7 +225,18 @@ ChunkEncoder::ChunkEncoder() : states_(std::make_unique<StateEncoder>()) {}
 ChunkEncoder::~ChunkEncoder() = default;
 
 Result<MessageBytes> ChunkEncoder::encode(const Keyframe& keyframe, Steps steps, const ChannelTypes& types) {
-  if (Status ok = states_->encode(keyframe.state, steps); !ok.ok()) return ok.error();
+  begin(keyframe.state);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (Status ok = states_->add(steps[i], steps.first(i)); !ok.ok()) return ok.error();
+  }
+  return finish(keyframe, steps, types);
+}
+
+void ChunkEncoder::begin(const sim::WorldState& keyframe) { states_->begin(keyframe); }
+
+Status ChunkEncoder::take_states(StepRecord& step, Steps earlier) { return states_->take(step, earlier); }
+
+Result<MessageBytes> ChunkEncoder::finish(const Keyframe& keyframe, Steps steps, const ChannelTypes& types) {
   std::size_t bytes = states_->bytes() + encoded_bytes(keyframe.state);
   for (const StepRecord& step : steps) {
     bytes += 80 + step.phase_words.size() * 8 + step.inputs.size() * 400 + bytes_of(step.extras);

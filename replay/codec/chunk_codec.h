@@ -28,6 +28,14 @@ class ChunkEncoder {
   Result<MessageBytes> encode(const Keyframe& keyframe, std::span<const StepRecord> steps,
                               const std::vector<ChannelType>& types = {});
 
+  /// The three parts of encode(), for steps that come one by one. The state of the keyframe must stay until finish().
+  void begin(const sim::WorldState& keyframe);
+  /// Encodes the states of the step after those in `earlier`, which need no states; takes them from the record.
+  Status take_states(StepRecord& step, std::span<const StepRecord> earlier);
+  /// keyframe: that of begin(). steps: all of the chunk; they need no states.
+  Result<MessageBytes> finish(const Keyframe& keyframe, std::span<const StepRecord> steps,
+                              const std::vector<ChannelType>& types);
+
   /// Takes back the memory of a message that is needed no longer, for the next one.
   void take_back(MessageBytes message) { spare_ = std::move(message); }
 

@@ -1,7 +1,9 @@
 #include "replay/codec/state_codec.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "replay/codec/blob.h"
 #include "replay/codec/state_keys.h"
@@ -30,116 +32,150 @@ std::uint8_t motion_kind(const StateRows& rows, std::size_t i, const codec1::Mot
   return codec1::same_bits(codec1::row_of(codec1::fly(rows, i, before, dt)), after) ? kFlown : kStored;
 }
 
-/// Whether all values of a column lie on its grid, over all stored steps of the chunk.
-///
-/// The stepper keeps velocities and positions on grids (src/math/grid.h), so their differences in grid steps are much
-/// smaller than differences of bit patterns. One value off the grid, as another engine writes, sends the whole column
-/// to bit patterns: one flag per column is cheaper than one per value, and columns are either all on the grid or hardly
-/// at all.
-bool column_on_grid(std::span<const StepRecord> records, std::size_t column) {
-  const double steps = codec1::steps_per_unit(column);
-  if (steps == 0) return false;
-  for (const StepRecord& record : records) {
-    if (!record.has_states) continue;
-    for (const double value : *columns_of(record.states)[column]) {
-      if (!codec1::is_on_grid(value, steps)) return false;
-    }
-  }
-  return true;
+/// Whether all values of a column lie on its grid.
+bool all_on_grid(const std::vector<double>& column, double steps_per_unit) {
+  return std::ranges::all_of(column, [=](double value) { return codec1::is_on_grid(value, steps_per_unit); });
 }
 
 }  // namespace
 
-void StateEncoder::choose_grids(std::span<const StepRecord> records) {
-  for (std::size_t c = 0; c < kColumnCount; ++c) on_grid_[c] = column_on_grid(records, c);
+void StateEncoder::begin(const sim::WorldState& keyframe) {
+  keyframe_ = &keyframe;
+  rows_.emplace(keyframe);
+  dt_ = 0;
+  out_.flags.clear();
+  for (auto& column : out_.residuals) column.clear();
+  for (std::size_t c = 0; c < kColumnCount; ++c) out_.on_grid[c] = codec1::steps_per_unit(c) != 0;
 }
 
-// `dt` is summed over steps whose states are not stored, so that the prediction covers the whole interval since the
-// last stored state. The decoder does the same.
-Status StateEncoder::encode(const sim::WorldState& keyframe, std::span<const StepRecord> records) {
-  flags_.clear();
-  for (auto& column : residuals_) column.clear();
-  choose_grids(records);
-  StateRows rows(keyframe);
-  double dt = 0;
-  for (const StepRecord& record : records) {
-    for (const sim::Command& command : record.inputs) {
-      if (Status ok = rows.apply(command); !ok.ok()) return cannot_finish(ok.error().message);
-    }
-    dt += record.dt;
-    if (!record.has_states) continue;
-    if (Status ok = encode_step(rows, record, dt); !ok.ok()) return ok;
-    rows.mutable_before() = record.states;
-    dt = 0;
-  }
+Status StateEncoder::add(const StepRecord& record, std::span<const StepRecord> earlier) {
+  if (Status ok = encode(record, earlier); !ok.ok()) return ok;
+  if (record.has_states) rows_->mutable_before() = record.states;
   return {};
 }
 
-Status StateEncoder::encode_step(const StateRows& rows, const StepRecord& record, double dt) {
+Status StateEncoder::take(StepRecord& record, std::span<const StepRecord> earlier) {
+  if (Status ok = encode(record, earlier); !ok.ok()) return ok;
+  if (record.has_states) std::swap(rows_->mutable_before(), record.states);
+  return {};
+}
+
+// The sum of dt over steps whose states are not stored lets the prediction cover the whole interval since the last
+// stored state. The decoder does the same.
+Status StateEncoder::encode(const StepRecord& record, std::span<const StepRecord> earlier) {
+  if (Status ok = leave_grids(record, earlier); !ok.ok()) return ok;
+  for (const sim::Command& command : record.inputs) {
+    if (Status ok = rows_->apply(command); !ok.ok()) return cannot_finish(ok.error().message);
+  }
+  dt_ += record.dt;
+  if (!record.has_states) return {};
+  if (Status ok = encode_step(record); !ok.ok()) return ok;
+  dt_ = 0;
+  return {};
+}
+
+// The stepper keeps velocities and positions on grids (src/math/grid.h), so their differences in grid steps are much
+// smaller than differences of bit patterns. One value off the grid, as another engine writes, sends the whole column of
+// the chunk to bit patterns: one flag per column is cheaper than one per value, and columns are either all on the grid
+// or hardly at all. What was encoded before the first such value is encoded again, which other engines need in a first
+// step, where nothing is, and ours never.
+Status StateEncoder::leave_grids(const StepRecord& record, std::span<const StepRecord> earlier) {
+  if (!record.has_states) return {};
+  std::array<bool, kColumnCount> on_grid = out_.on_grid;
+  const ConstColumns columns = columns_of(record.states);
+  for (std::size_t c = 0; c < kColumnCount; ++c) {
+    if (on_grid[c]) on_grid[c] = all_on_grid(*columns[c], codec1::steps_per_unit(c));
+  }
+  if (on_grid == out_.on_grid) return {};
+  const bool none_stored = out_.residuals[0].empty();
+  if (!none_stored) {
+    StateDecoder decoder(*keyframe_, std::exchange(out_, {}));
+    begin(*keyframe_);
+    out_.on_grid = on_grid;
+    for (std::size_t i = 0; i < earlier.size(); ++i) {
+      StepRecord step;
+      step.step = earlier[i].step;
+      step.dt = earlier[i].dt;
+      step.inputs = earlier[i].inputs;
+      step.has_states = earlier[i].has_states;
+      if (Status ok = decoder.decode(step); !ok.ok()) return ok;
+      if (Status ok = take(step, earlier.first(i)); !ok.ok()) return ok;
+    }
+  }
+  out_.on_grid = on_grid;
+  return {};
+}
+
+Status StateEncoder::encode_step(const StepRecord& record) {
   const BodyStates& states = record.states;
-  bool complete = states.id == rows.before().id && states.frozen.size() == states.size();
+  const BodyStates& before = rows_->before();
+  bool complete = states.id == before.id && states.frozen.size() == states.size();
   for (const auto* column : columns_of(states)) complete = complete && column->size() == states.size();
   if (!complete) {
     return cannot_finish("step " + std::to_string(record.step) + ": found the states of " +
-                         std::to_string(states.size()) + " bodies, wanted the " + std::to_string(rows.before().size()) +
+                         std::to_string(states.size()) + " bodies, wanted the " + std::to_string(before.size()) +
                          " that the start and the logged inputs leave");
   }
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (states.frozen[i] > 1) return cannot_finish("step " + std::to_string(record.step) + ": frozen is not 0 or 1");
-    encode_body(rows, states, i, dt);
+    encode_body(states, i);
   }
   return {};
 }
 
-void StateEncoder::encode_body(const StateRows& rows, const BodyStates& states, std::size_t i, double dt) {
-  const codec1::Motion before = codec1::motion_of(rows.before(), i);
+void StateEncoder::encode_body(const BodyStates& states, std::size_t i) {
+  const codec1::Motion before = codec1::motion_of(rows_->before(), i);
   const codec1::Row after = codec1::row_of(codec1::motion_of(states, i));
-  const std::uint8_t kind = motion_kind(rows, i, before, after, dt);
+  const std::uint8_t kind = motion_kind(*rows_, i, before, after, dt_);
   const bool frozen = states.frozen[i] != 0;
-  flags_.push_back(static_cast<std::uint8_t>(kind | (frozen ? kFrozenFlag : 0)));
+  out_.flags.push_back(static_cast<std::uint8_t>(kind | (frozen ? kFrozenFlag : 0)));
   if (kind != kStored) return;
-  codec1::code_row(before, frozen, dt, [&](std::size_t slot, std::size_t column, double predicted) {
+  codec1::code_row(before, frozen, dt_, [&](std::size_t slot, std::size_t column, double predicted) {
     const double steps = codec1::steps_per_unit(column);
-    const std::uint64_t key = codec1::key_of(after[column], steps, on_grid_[column]);
-    residuals_[slot].push_back(codec1::zigzag(key - codec1::predicted_key(predicted, steps, on_grid_[column])));
+    const bool on_grid = out_.on_grid[column];
+    const std::uint64_t key = codec1::key_of(after[column], steps, on_grid);
+    out_.residuals[slot].push_back(codec1::zigzag(key - codec1::predicted_key(predicted, steps, on_grid)));
     return after[column];
   });
 }
 
 void StateEncoder::copy_to(schema::States::Builder out) const {
   out.setCodec(kStateCodec);
-  put_plain(std::span<const std::uint8_t>(flags_), out.initFlags(static_cast<unsigned>(flags_.size())));
+  put_plain(std::span<const std::uint8_t>(out_.flags), out.initFlags(static_cast<unsigned>(out_.flags.size())));
   auto columns = out.initColumns(kColumnCount);
   for (unsigned c = 0; c < kColumnCount; ++c) {
-    columns[c].setOnGrid(on_grid_[c]);
-    put_planes(std::span<const std::uint64_t>(residuals_[c]),
-               columns[c].initResiduals(static_cast<unsigned>(residuals_[c].size() * 8)));
+    columns[c].setOnGrid(out_.on_grid[c]);
+    put_planes(std::span<const std::uint64_t>(out_.residuals[c]),
+               columns[c].initResiduals(static_cast<unsigned>(out_.residuals[c].size() * 8)));
   }
 }
 
 StateDecoder::StateDecoder(const sim::WorldState& keyframe, schema::States::Reader in)
     : rows_(keyframe), codec_(in.getCodec()) {
   const capnp::Data::Reader flags = in.getFlags();
-  flags_.assign(flags.begin(), flags.end());
+  in_.flags.assign(flags.begin(), flags.end());
   std::size_t stored = 0;
-  for (const std::uint8_t flag : flags_) stored += (flag & kMotionMask) == kStored ? 1 : 0;
+  for (const std::uint8_t flag : in_.flags) stored += (flag & kMotionMask) == kStored ? 1 : 0;
   const auto columns = in.getColumns();
   column_count_ = columns.size();
   for (unsigned c = 0; c < kColumnCount && c < columns.size(); ++c) {
-    on_grid_[c] = columns[c].getOnGrid() && codec1::steps_per_unit(c) != 0;
+    in_.on_grid[c] = columns[c].getOnGrid() && codec1::steps_per_unit(c) != 0;
     const capnp::Data::Reader residuals = columns[c].getResiduals();
-    sizes_agree_ = sizes_agree_ && get_planes("states", residuals, stored, residuals_[c]).ok();
+    sizes_agree_ = sizes_agree_ && get_planes("states", residuals, stored, in_.residuals[c]).ok();
   }
 }
 
+StateDecoder::StateDecoder(const sim::WorldState& keyframe, StateColumns columns)
+    : rows_(keyframe), codec_(kStateCodec), column_count_(kColumnCount), in_(std::move(columns)) {}
+
 Status StateDecoder::check(std::size_t step_count) const {
-  if (flags_.empty()) return {};  // no states
+  if (in_.flags.empty()) return {};  // no states
   if (codec_ != kStateCodec) {
     return bad_input("the states are stored with codec " + std::to_string(codec_) +
                      ", this program knows codec 1; use a newer one");
   }
-  if (step_count > 1 && flags_.size() > kBodyStepsRead) {
-    return damaged("found the states of " + std::to_string(flags_.size()) + " bodies and steps, wanted at most " +
+  if (step_count > 1 && in_.flags.size() > kBodyStepsRead) {
+    return damaged("found the states of " + std::to_string(in_.flags.size()) + " bodies and steps, wanted at most " +
                    std::to_string(kBodyStepsRead));
   }
   if (column_count_ == kColumnCount && sizes_agree_) return {};
@@ -153,11 +189,11 @@ Status StateDecoder::decode(StepRecord& record) {
   dt_ += record.dt;
   if (!record.has_states) return {};
   BodyStates& before = rows_.mutable_before();
-  if (flags_.size() - next_flag_ < before.size()) {
-    return damaged("states: found " + std::to_string(flags_.size()) + " flags, wanted more for step " +
+  if (in_.flags.size() - next_flag_ < before.size()) {
+    return damaged("states: found " + std::to_string(in_.flags.size()) + " flags, wanted more for step " +
                    std::to_string(record.step));
   }
-  for (std::size_t i = 0; i < before.size(); ++i) decode_body(before, i, flags_[next_flag_++]);
+  for (std::size_t i = 0; i < before.size(); ++i) decode_body(before, i, in_.flags[next_flag_++]);
   record.states = before;
   dt_ = 0;
   return {};
@@ -177,11 +213,11 @@ void StateDecoder::decode_body(BodyStates& states, std::size_t i, std::uint8_t f
 
 codec1::Row StateDecoder::decode_row(const codec1::Motion& before, bool frozen) {
   const std::size_t at = next_residual_++;
-  SIM_DCHECK(at < residuals_[0].size(), at, residuals_[0].size());
+  SIM_DCHECK(at < in_.residuals[0].size(), at, in_.residuals[0].size());
   return codec1::code_row(before, frozen, dt_, [&](std::size_t slot, std::size_t column, double predicted) {
     const double steps = codec1::steps_per_unit(column);
-    const std::uint64_t expected = codec1::predicted_key(predicted, steps, on_grid_[column]);
-    return codec1::value_of(expected + codec1::unzigzag(residuals_[slot][at]), steps, on_grid_[column]);
+    const std::uint64_t expected = codec1::predicted_key(predicted, steps, in_.on_grid[column]);
+    return codec1::value_of(expected + codec1::unzigzag(in_.residuals[slot][at]), steps, in_.on_grid[column]);
   });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,31 +19,48 @@ namespace tumble::replay {
 
 inline constexpr std::uint16_t kStateCodec = 1;
 
-/// Encodes the states of a chunk. First encodes into its own memory, so that the message can be allocated in the right
-/// size, then copies into the message.
+/// The columns of a chunk's states before they become a message.
+struct StateColumns {
+  std::vector<std::uint8_t> flags;
+  std::array<bool, kColumnCount> on_grid = {};
+  std::array<std::vector<std::uint64_t>, kColumnCount> residuals;
+};
+
+/// Encodes the states of a chunk, step by step, into its own memory, so that the message can be allocated in the right
+/// size; then copies into the message.
 class StateEncoder {
  public:
-  /// records: the steps after the keyframe, in order. Errors (kCannotFinish): a state has other bodies than keyframe
-  /// and inputs lead to, or `frozen` is not 0 or 1, so the records are no session.
-  Status encode(const sim::WorldState& keyframe, std::span<const StepRecord> records);
+  /// Begins a chunk. keyframe: must stay until the last step was added.
+  void begin(const sim::WorldState& keyframe);
 
-  [[nodiscard]] std::size_t bytes() const { return flags_.size() + residuals_[0].size() * 8 * kColumnCount; }
+  /// Adds the step after those in `earlier`, which are the chunk's so far and need no states. Errors (kCannotFinish):
+  /// the step has other bodies than keyframe and inputs lead to, or `frozen` is not 0 or 1, so the records are no
+  /// session.
+  Status add(const StepRecord& record, std::span<const StepRecord> earlier);
+  /// Likewise, without copying: record.states is then of no use.
+  Status take(StepRecord& record, std::span<const StepRecord> earlier);
+
+  [[nodiscard]] std::size_t bytes() const { return out_.flags.size() + out_.residuals[0].size() * 8 * kColumnCount; }
   void copy_to(schema::States::Builder out) const;
 
  private:
-  Status encode_step(const StateRows& rows, const StepRecord& record, double dt);
-  void encode_body(const StateRows& rows, const BodyStates& states, std::size_t i, double dt);
-  void choose_grids(std::span<const StepRecord> records);
+  Status encode(const StepRecord& record, std::span<const StepRecord> earlier);
+  Status encode_step(const StepRecord& record);
+  void encode_body(const BodyStates& states, std::size_t i);
+  Status leave_grids(const StepRecord& record, std::span<const StepRecord> earlier);
 
-  std::vector<std::uint8_t> flags_;
-  std::array<bool, kColumnCount> on_grid_ = {};
-  std::array<std::vector<std::uint64_t>, kColumnCount> residuals_;
+  const sim::WorldState* keyframe_ = nullptr;
+  std::optional<StateRows> rows_;
+  double dt_ = 0;  // since the state stored last
+  StateColumns out_;
 };
 
 /// Decodes the states of a chunk, step by step. Copies the data, so the message need not outlive the decoder.
 class StateDecoder {
  public:
   StateDecoder(const sim::WorldState& keyframe, schema::States::Reader in);
+  /// Of what an encoder has made so far.
+  StateDecoder(const sim::WorldState& keyframe, StateColumns columns);
 
   /// Checks the sizes; call once before decode(). Errors. kDamaged: sizes that contradict each other, more states than
   /// limits.h allows in a chunk of step_count steps. kBadInput: an unknown codec.
@@ -58,9 +77,7 @@ class StateDecoder {
   StateRows rows_;
   std::uint16_t codec_;
   std::size_t column_count_ = 0;
-  std::vector<std::uint8_t> flags_;
-  std::array<bool, kColumnCount> on_grid_ = {};
-  std::array<std::vector<std::uint64_t>, kColumnCount> residuals_;
+  StateColumns in_;
   bool sizes_agree_ = true;
   std::size_t next_flag_ = 0;
   std::size_t next_residual_ = 0;

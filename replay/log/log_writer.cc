@@ -1,7 +1,6 @@
 #include "tumble/replay/log_writer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -9,61 +8,27 @@
 #include <utility>
 #include <vector>
 
-#include "replay/format/limits.h"
+#include "replay/log/open_chunk.h"
 #include "replay/log/record_writer.h"
 #include "src/base/check.h"
 
 namespace tumble::replay {
-namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t kBuffers = 3;  // one is filled while one is written and one waits or comes back
-constexpr std::size_t kManyBodies = std::size_t{1} << 19U;  // a buffer holds a state, 0.5 kB of each: one must do
-constexpr std::chrono::seconds kChunkAgeMax(1);
-
-/// The steps whose states fill a chunk.
-std::uint64_t steps_of_chunk(const sim::Bodies& bodies) {
-  return kChunkStateBytes / (kBodyStateBytes * std::max<std::size_t>(bodies.size(), 1)) + 1;
-}
-
-}  // namespace
-
-/// The steps of one chunk, filled by the caller and written by the thread.
-///
-/// Buffers circulate between the two threads and keep their memory: allocating the pages of a chunk costs more than
-/// filling them. With three of them the caller fills one while the thread writes another, and the third covers the time
-/// until a buffer comes back.
+/// Some steps of one chunk, filled by the caller and encoded by the thread. Buffers circulate between the two threads
+/// and keep their memory: allocating its pages costs more than filling them.
 struct LogWriter::Buffer {
-  Keyframe keyframe;
-  std::vector<StepRecord> steps;  // of which `used` are filled
+  std::unique_ptr<Keyframe> keyframe;  ///< the state before the first step, where that begins a chunk
+  bool ends_chunk = false;
+  std::vector<StepRecord> steps;  ///< of which `used` are filled
   std::size_t used = 0;
-  std::uint64_t busy_rows = 0;  // body-steps that moved
-  std::uint64_t bytes = 0;
-  std::size_t channels = 0;  // of the step with the most
-  Clock::time_point begun;
 
   /// Allocates the memory of `count` steps and touches it.
   void reserve(const sim::Bodies& bodies, std::size_t count) {
-    const std::size_t had = steps.size();
-    if (count <= had) return;
     steps.resize(count);
-    for (StepRecord& step : std::span(steps).subspan(had)) copy_visible(bodies, step.states);
+    for (StepRecord& step : steps) copy_visible(bodies, step.states);
   }
-
-  void begin(const sim::WorldState& state) {
-    keyframe.state = state;
-    used = 0;
-    busy_rows = bytes = 0;
-    channels = 0;
-    begun = Clock::now();
-  }
-
-  /// The number of the state after the last added step.
-  [[nodiscard]] std::uint64_t last_state() const { return keyframe.state.step + used; }
 
   void add(const StepInfo& info, const sim::WorldState& after) {
-    SIM_CHECK(after.step == last_state() + 1, after.step, last_state());
     if (used == steps.size()) steps.emplace_back();
     StepRecord& step = steps[used++];
     step.step = after.step;
@@ -73,70 +38,95 @@ struct LogWriter::Buffer {
     step.counters = info.counters;
     if (info.extras != nullptr) {
       step.extras = *info.extras;
-      bytes += bytes_of(step.extras);
-      channels = std::max(channels, step.extras.channels.size());
     } else if (!step.extras.empty()) {
       step.extras.clear();
     }
     copy_visible(after.bodies, step.states);
-    busy_rows += static_cast<std::uint64_t>(std::count(after.bodies.frozen.begin(), after.bodies.frozen.end(), 0));
-    bytes += after.bodies.size() * kBodyStateBytes + info.phase_words.size() * 8;
-  }
-
-  [[nodiscard]] bool full(std::size_t bodies) const {
-    return used >= kChunkStepsMax || busy_rows >= kChunkBusySteps * std::max<std::size_t>(bodies, 1) ||
-           (used + 1) * channels > kChannelStepsMax || bytes >= kChunkStateBytes ||
-           Clock::now() - begun >= kChunkAgeMax;
   }
 };
 
 struct LogWriter::Shared {
-  Shared(std::unique_ptr<ByteSink> sink, std::size_t bodies)
-      : records(std::move(sink)), buffers(bodies < kManyBodies ? kBuffers : 1) {
-    for (std::size_t i = 1; i < buffers; ++i) free.push_back(std::make_unique<Buffer>());
+  Shared(std::unique_ptr<ByteSink> sink, std::size_t bodies) : records(std::move(sink)), sizes(bodies) {
+    for (std::uint64_t i = 1; i < sizes.buffers; ++i) free.push_back(std::make_unique<Buffer>());
   }
 
+  void begin_chunk(const sim::WorldState& state);
+  Status hand_over(const sim::WorldState& now, bool ends_chunk);
   void run();
   void reserve(const sim::Bodies& bodies, std::uint64_t planned);
-  void make_room(std::unique_lock<std::mutex>& lock, std::size_t chunks, const sim::Bodies* bodies, std::size_t steps);
-  Status hand_over(const sim::WorldState& now);
+  Status write(Buffer& buffer);
   void stop();
 
-  RecordWriter records;  // the thread's, while it runs
-  std::size_t buffers;
-  std::uint64_t planned_end = 0;                             // the last planned step
+  RecordWriter records;               // the thread's, while it runs
+  std::unique_ptr<Keyframe> written;  // the thread's: of the chunk that it encodes
+  BufferSizes sizes;
   bool finished = false;                                     // the caller's
+  bool begins = true;                                        // the caller's: no chunk was handed over yet
+  OpenChunk chunk;                                           // the caller's
   std::unique_ptr<Buffer> open{std::make_unique<Buffer>()};  // the caller's
 
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
   std::deque<std::unique_ptr<Buffer>> full;
-  std::vector<std::unique_ptr<Buffer>> free;
+  std::deque<std::unique_ptr<Buffer>> free;
+  std::vector<std::unique_ptr<Keyframe>> free_keyframes;
   Status status;
   bool stopping = false;
 
   std::thread thread;
 };
 
-/// Runs first on the writing thread: allocates the free buffers that a session of `planned` steps will fill.
-void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned) {
-  const std::uint64_t steps = std::min(steps_of_chunk(bodies), kChunkBusySteps);
-  std::unique_lock lock(mutex);
-  make_room(lock, std::min<std::uint64_t>(free.size(), planned / steps), &bodies, steps);
+/// Begins a chunk at `state`. Its first buffer is open and empty.
+void LogWriter::Shared::begin_chunk(const sim::WorldState& state) {
+  std::unique_ptr<Keyframe>& keyframe = open->keyframe;
+  {
+    const std::lock_guard lock(mutex);
+    if (!free_keyframes.empty()) {
+      keyframe = std::move(free_keyframes.back());
+      free_keyframes.pop_back();
+    }
+  }
+  if (keyframe == nullptr) keyframe = std::make_unique<Keyframe>();
+  keyframe->state = state;
+  chunk = {};
+  chunk.first_state = state.step;
 }
 
-/// Runs on the writing thread: allocates and touches memory for `steps` steps in the free buffers, in as many as
-/// `chunks`, so that the caller need not. bodies: to take the memory for; null: those of the buffer's last chunk.
-/// Called with the lock held; gives it up in between.
-void LogWriter::Shared::make_room(std::unique_lock<std::mutex>& lock, std::size_t chunks, const sim::Bodies* bodies,
-                                  std::size_t steps) {
-  for (std::size_t k = 0; k < chunks && !free.empty(); ++k) {
-    std::unique_ptr<Buffer> buffer = std::move(free.front());  // the caller takes from the back
-    free.erase(free.begin());
+/// Moves the open buffer to `full` and opens the next one, of a new chunk that begins at `now` if the chunk ends.
+/// Waits while no buffer is free.
+Status LogWriter::Shared::hand_over(const sim::WorldState& now, bool ends_chunk) {
+  SIM_CHECK(now.step == chunk.last_state(), now.step, chunk.last_state());
+  open->ends_chunk = ends_chunk;
+  Status so_far;
+  {
+    std::unique_lock lock(mutex);
+    full.push_back(std::move(open));
+    changed.notify_all();
+    changed.wait(lock, [this] { return !free.empty(); });
+    open = std::move(free.front());
+    free.pop_front();
+    so_far = status;
+  }
+  open->used = 0;
+  if (ends_chunk) {
+    begins = false;
+    begin_chunk(now);
+  }
+  return so_far;
+}
+
+/// Runs first on the writing thread: allocates and touches the memory of the free buffers that a session of `planned`
+/// steps will fill, so that the caller need not.
+void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned) {
+  std::unique_lock lock(mutex);
+  const std::uint64_t wanted = std::min<std::uint64_t>(free.size(), planned / sizes.steps);
+  for (std::uint64_t k = 0; k < wanted && !free.empty(); ++k) {
+    std::unique_ptr<Buffer> buffer = std::move(free.back());  // the caller takes from the front
+    free.pop_back();
     lock.unlock();
-    buffer->reserve(bodies != nullptr ? *bodies : buffer->keyframe.state.bodies, steps);
+    if (buffer->steps.empty()) buffer->reserve(bodies, sizes.steps);
     lock.lock();
-    free.push_back(std::move(buffer));
+    free.push_front(std::move(buffer));
     changed.notify_all();
   }
 }
@@ -150,30 +140,23 @@ void LogWriter::Shared::run() {
     std::unique_ptr<Buffer> buffer = std::move(full.front());
     full.pop_front();
     lock.unlock();
-    Status written = records.write_chunk(buffer->keyframe, std::span(buffer->steps).first(buffer->used));
-    const std::uint64_t used = buffer->used, left = planned_end - std::min(planned_end, buffer->last_state());
-    const std::uint64_t most = std::min(kChunkStepsMax, steps_of_chunk(buffer->keyframe.state.bodies));
+    const Status done = write(*buffer);
     lock.lock();
-    if (status.ok() && !written.ok()) status = written;
+    if (status.ok() && !done.ok()) status = done;
+    if (buffer->ends_chunk) free_keyframes.push_back(std::move(written));
     free.push_back(std::move(buffer));
     changed.notify_all();
-    // Chunks grow while ever more bodies rest. The caller would touch the pages of the next one in its own time.
-    const bool longer = used > kChunkBusySteps && left > used && full.empty();
-    if (longer) make_room(lock, free.size(), nullptr, std::min(most, 2 * used));
   }
 }
 
-/// Moves the open buffer to `full` and begins the next one at `now`. Waits while no buffer is free.
-Status LogWriter::Shared::hand_over(const sim::WorldState& now) {
-  SIM_CHECK(now.step == open->last_state(), now.step, open->last_state());
-  std::unique_lock lock(mutex);
-  full.push_back(std::move(open));
-  changed.notify_all();
-  changed.wait(lock, [this] { return !free.empty(); });
-  open = std::move(free.back());
-  free.pop_back();
-  open->begin(now);
-  return status;
+/// Runs on the writing thread: hashes and encodes the steps of a buffer; writes the chunk that ends with it.
+Status LogWriter::Shared::write(Buffer& buffer) {
+  if (buffer.keyframe != nullptr) {
+    written = std::move(buffer.keyframe);
+    if (Status ok = records.begin_chunk(*written); !ok.ok()) return ok;
+  }
+  if (Status ok = records.add_steps(std::span(buffer.steps).first(buffer.used)); !ok.ok()) return ok;
+  return buffer.ends_chunk ? records.end_chunk() : Status();
 }
 
 /// Waits until the thread has written all full buffers, and ends it.
@@ -190,7 +173,8 @@ void LogWriter::Shared::stop() {
 LogWriter::LogWriter(std::unique_ptr<Shared> shared) : shared_(std::move(shared)) {}
 
 LogWriter::~LogWriter() {
-  if (shared_->thread.joinable() && shared_->open->used > 0) {
+  if (shared_->thread.joinable() && shared_->chunk.steps > 0) {
+    shared_->open->ends_chunk = true;
     const std::lock_guard lock(shared_->mutex);
     shared_->full.push_back(std::move(shared_->open));
   }
@@ -208,12 +192,11 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> s
                                                      const sim::WorldState& initial) {
   auto shared = std::make_unique<Shared>(std::move(sink), initial.bodies.size());
   if (Status ok = shared->records.write_header(header, initial); !ok.ok()) return ok.error();
-  shared->open->begin(initial);
+  shared->begin_chunk(initial);
   Shared* running = shared.get();
   // The first chunk's keyframe stays as it is until the thread itself writes it.
-  const sim::Bodies& bodies = shared->open->keyframe.state.bodies;
+  const sim::Bodies& bodies = shared->open->keyframe->state.bodies;
   const std::uint64_t planned = std::max(header.scene.steps, initial.step) - initial.step;
-  shared->planned_end = header.scene.steps;
   shared->thread = std::thread([running, &bodies, planned] {
     running->reserve(bodies, planned);
     running->run();
@@ -222,31 +205,35 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> s
 }
 
 Status LogWriter::append(const StepInfo& info, const sim::WorldState& after) {
-  shared_->open->add(info, after);
-  if (!shared_->open->full(after.bodies.size())) return {};
-  return shared_->hand_over(after);
+  Shared& s = *shared_;
+  SIM_CHECK(after.step == s.chunk.last_state() + 1, after.step, s.chunk.last_state());
+  s.open->add(info, after);
+  s.chunk.add(info, after.bodies);
+  const bool ends_chunk = s.chunk.full(after.bodies.size());
+  return ends_chunk || s.open->used >= s.sizes.steps ? s.hand_over(after, ends_chunk) : Status();
 }
 
 Status LogWriter::flush(const sim::WorldState& now) {
-  if (shared_->open->used > 0) {
-    if (Status ok = shared_->hand_over(now); !ok.ok()) return ok;
+  if (shared_->chunk.steps > 0) {
+    if (Status ok = shared_->hand_over(now, true); !ok.ok()) return ok;
   }
   std::unique_lock lock(shared_->mutex);
-  shared_->changed.wait(lock, [this] { return shared_->free.size() + 1 == shared_->buffers; });
+  shared_->changed.wait(lock, [this] { return shared_->free.size() + 1 == shared_->sizes.buffers; });
   return shared_->status;
 }
 
 Result<LogSummary> LogWriter::finish() {
   SIM_CHECK(!shared_->finished);
   shared_->finished = true;
-  shared_->stop();
-  RecordWriter& records = shared_->records;
-  Buffer& open = *shared_->open;
-  if (open.used > 0 || records.chunks() == 0) {  // a log without steps has one chunk, for state 0
-    if (Status ok = records.write_chunk(open.keyframe, std::span(open.steps).first(open.used)); !ok.ok()) {
-      return ok.error();
-    }
+  Shared& s = *shared_;
+  if (s.chunk.steps > 0 || s.begins) {  // a log without steps has one chunk, for state 0
+    s.open->ends_chunk = true;
+    const std::lock_guard lock(s.mutex);
+    s.full.push_back(std::move(s.open));
   }
+  s.stop();
+  if (!s.status.ok()) return s.status.error();
+  RecordWriter& records = s.records;
   if (Status ok = records.finish(); !ok.ok()) return ok.error();
   return LogSummary{records.steps(), records.chunks(), records.bytes(), records.final_hash(), records.chain()};
 }

@@ -32,9 +32,9 @@ struct StepInfo {
 
 /// Writes a session to a log while the session runs.
 ///
-/// The calling thread only copies. append() copies the visible columns into a chunk in memory. The writer's own thread
-/// hashes, encodes, compresses and writes full chunks. Three chunks exist (one for huge scenes); append() waits while
-/// all of them are full.
+/// The calling thread only copies. append() copies the visible columns into a buffer of about 1 MB. The writer's thread
+/// hashes and encodes full buffers while their chunk still grows, then compresses and writes the chunk. There are
+/// buffers for 128 steps or 64 MB of them, at least three (one for huge scenes); append() waits while all are full.
 ///
 /// The writer closes a chunk
 /// - after kChunkBusySteps steps in which all bodies move; resting bodies count nothing, up to kChunkStepsMax steps

@@ -104,27 +104,51 @@ Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState
   return write_record(prelude, *message);
 }
 
-Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps) {
+Status RecordWriter::begin_chunk(Keyframe& keyframe) {
   if (!status_.ok()) return status_;
+  SIM_CHECK(keyframe.state.step + 1 == end_step(), keyframe.state.step, end_step());
   keyframe.continuation_hash = sim::continuation_hash(keyframe.state);
-  Prelude prelude;
-  prelude.kind = RecordKind::kChunk;
-  prelude.first_step = keyframe.state.step + 1;
-  prelude.step_count = steps.size();
-  prelude.chain_before = chain_;
-  SIM_CHECK(prelude.first_step == end_step(), prelude.first_step, end_step());
-  SIM_CHECK(steps.size() <= kStepsPerChunkRead, steps.size());
+  keyframe_ = &keyframe;
+  used_ = 0;
+  chain_before_ = chain_;
+  encoder_.begin(keyframe.state);
+  return {};
+}
+
+Status RecordWriter::add_steps(std::span<StepRecord> steps) {
+  if (!status_.ok()) return status_;
+  SIM_CHECK(keyframe_ != nullptr, steps.size());
+  SIM_CHECK(used_ + steps.size() <= kStepsPerChunkRead, used_, steps.size());
   for (StepRecord& step : steps) {
-    SIM_CHECK(step.step == prelude.first_step + static_cast<std::uint64_t>(&step - steps.data()), step.step);
+    SIM_CHECK(step.step == end_step() + used_, step.step, end_step(), used_);
     SIM_CHECK(step.phase_words.size() <= kPhaseWordsMax, step.step, step.phase_words.size());
     SIM_CHECK(step.phase_words.empty() || hashes_mode_.holds(step.step), step.step, hashes_mode_.every);
     final_hash_ = step.state_hash = state_hash(step.states);
     step.has_states = mode_.holds(step.step);
     chain_ = chain_next(chain_, step);
+    if (Status ok = encoder_.take_states(step, std::span(steps_).first(used_)); !ok.ok()) {
+      return fail("chunk " + std::to_string(sequence_), ok.error().message);
+    }
+    if (used_ == steps_.size()) steps_.emplace_back();
+    std::swap(step.states, steps_[used_].states);  // so that they stay with the caller's record
+    std::swap(step, steps_[used_++]);
   }
+  return {};
+}
+
+Status RecordWriter::end_chunk() {
+  if (!status_.ok()) return status_;
+  SIM_CHECK(keyframe_ != nullptr, used_);
+  const Keyframe& keyframe = *std::exchange(keyframe_, nullptr);
+  const std::span<const StepRecord> steps = std::span(steps_).first(used_);
+  Prelude prelude;
+  prelude.kind = RecordKind::kChunk;
+  prelude.first_step = keyframe.state.step + 1;
+  prelude.step_count = steps.size();
+  prelude.chain_before = chain_before_;
   prelude.chain_after = chain_;
   if (has_extras(steps)) prelude.set_extras();
-  Result<MessageBytes> message = encoder_.encode(keyframe, steps, channel_types_);
+  Result<MessageBytes> message = encoder_.finish(keyframe, steps, channel_types_);
   if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
   const std::uint64_t offset = bytes_;
   if (Status ok = write_record(prelude, *message); !ok.ok()) return ok;

@@ -26,9 +26,14 @@ class RecordWriter {
   /// Writes the header record. initial: state 0, or the state that a continued session starts from.
   Status write_header(const LogHeader& header, const sim::WorldState& initial);
 
-  /// Fills in the state_hash and has_states of each step and the hash of the keyframe, then writes the chunk. Every
-  /// step must have states. The first step follows the last step of the chunk before.
-  Status write_chunk(Keyframe& keyframe, std::span<StepRecord> steps);
+  /// Begins a chunk. The first step follows the last step of the chunk before. Fills in the hash of the keyframe, which
+  /// must stay until end_chunk().
+  Status begin_chunk(Keyframe& keyframe);
+  /// Adds the next steps of the chunk: hashes and encodes their states. Every step must have states. What the records
+  /// hold is then of no use, but for their memory.
+  Status add_steps(std::span<StepRecord> steps);
+  /// Writes the chunk.
+  Status end_chunk();
 
   /// Copies a record of another log: keeps the stored bytes, and changes number and tag. Compresses a chunk again where
   /// its message would exceed message_bytes_max() at the new place. before: the prelude of the
@@ -64,6 +69,10 @@ class RecordWriter {
   ChunkEncoder encoder_;
   std::vector<std::byte> stored_;  // its memory is used again
   std::vector<ChunkPlace> chunks_;
+  Keyframe* keyframe_ = nullptr;   // of the open chunk
+  std::vector<StepRecord> steps_;  // of the open chunk, without states; of which `used_` are filled
+  std::size_t used_ = 0;
+  Hash128 chain_before_;  // of the open chunk
   StatesMode mode_;
   std::vector<ChannelType> channel_types_;
   HashesMode hashes_mode_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/world/visible_columns.h"
+
 namespace tumble::sim {
 namespace {
 
@@ -22,7 +24,8 @@ void add(Hasher& hasher, const Vec3& v) {
   hasher.add(v.z());
 }
 
-void add_visible(Hasher& hasher, const Bodies& bodies) {
+template <class Columns>
+void add_visible(Hasher& hasher, const Columns& bodies) {
   hasher.add(std::span<const BodyId>(bodies.id));
   add(hasher, bodies.position);
   add(hasher, bodies.orientation.w);
@@ -71,6 +74,12 @@ std::uint32_t method_version(Method method) {
 Hash128 state_hash(const Bodies& bodies) {
   Hasher hasher;
   add_visible(hasher, bodies);
+  return hasher.digest();
+}
+
+Hash128 state_hash(const VisibleColumns& columns) {
+  Hasher hasher;
+  add_visible(hasher, columns);
   return hasher.digest();
 }
 

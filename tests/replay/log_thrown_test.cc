@@ -35,6 +35,12 @@ StepRecord record_of(const sim::World& world, std::uint64_t step) {
   return record;
 }
 
+Status write_chunk(RecordWriter& writer, Keyframe& keyframe, std::span<StepRecord> steps) {
+  if (Status ok = writer.begin_chunk(keyframe); !ok.ok()) return ok;
+  if (Status ok = writer.add_steps(steps); !ok.ok()) return ok;
+  return writer.end_chunk();
+}
+
 /// A log of a session in which nothing moves, written without computing its steps, which would take long.
 Bytes write_session() {
   sim::SceneDef scene = small_scene(kSteps);
@@ -57,7 +63,7 @@ Bytes write_session() {
     keyframe.state.step = step - 1;
     std::vector<StepRecord> steps = {record_of(step > 1 ? *after : *before, step)};
     if (step == 2) steps[0].inputs = throws;
-    const Status written = writer.write_chunk(keyframe, steps);
+    const Status written = write_chunk(writer, keyframe, steps);
     EXPECT_TRUE(written.ok()) << written.error().message;
   }
   EXPECT_TRUE(writer.finish().ok());
@@ -151,7 +157,7 @@ TEST(ThrownBodies, AreWrittenSoThatTheyCanBeReadWhateverToldOfThem) {
   ASSERT_TRUE(writer.write_header(header_for(small_scene(1)), world->state()).ok());
   Keyframe keyframe = {world->state(), {}};
   std::vector<StepRecord> steps = {record_of(*world, 1)};
-  ASSERT_TRUE(writer.write_chunk(keyframe, steps).ok());
+  ASSERT_TRUE(write_chunk(writer, keyframe, steps).ok());
   ASSERT_TRUE(writer.finish().ok());
   expect_bodies(disk->bytes, 1, kThrown);
 }
