@@ -30,10 +30,15 @@ Compressor::~Compressor() { ZSTD_freeCCtx(context_); }
 
 Status Compressor::compress(std::span<const std::byte> raw, std::vector<std::byte>& out) {
   if (context_ == nullptr) return cannot_finish("out of memory for compression");
-  out.resize(ZSTD_compressBound(raw.size()));
-  const std::size_t size = ZSTD_compress2(context_, out.data(), out.size(), raw.data(), raw.size());
+  const std::size_t bound = ZSTD_compressBound(raw.size());
+  if (bound > room_bytes_) {
+    room_.reset();
+    room_ = std::make_unique_for_overwrite<std::byte[]>(bound);
+    room_bytes_ = bound;
+  }
+  const std::size_t size = ZSTD_compress2(context_, room_.get(), bound, raw.data(), raw.size());
   if (ZSTD_isError(size) != 0) return cannot_finish(std::string("compression failed: ") + ZSTD_getErrorName(size));
-  out.resize(size);
+  out.assign(room_.get(), room_.get() + size);
   const std::optional<FrameSize> frame = frame_at(out);
   SIM_CHECK(frame && frame->stored_bytes == size && frame->raw_bytes == raw.size(), size, raw.size());
   return {};

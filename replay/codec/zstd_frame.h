@@ -66,6 +66,9 @@ class Compressor {
 
  private:
   ZSTD_CCtx_s* context_;
+  // For the worst that compression can do. Not cleared: pages that a frame does not reach cost nothing.
+  std::unique_ptr<std::byte[]> room_;
+  std::size_t room_bytes_ = 0;
 };
 
 /// The sizes of a zstd frame, as the frame states them.

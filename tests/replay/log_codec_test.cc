@@ -1,6 +1,7 @@
 // The codec of states and keyframes: every bit comes back, whatever the doubles.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -151,6 +152,51 @@ TEST(StateCodec, StatesOfSomeStepsOnlyComeBack) {
     steps[i].states.frozen.resize(2);
   }
   expect_round_trip(start, steps);
+}
+
+/// Steps on the grids until single values leave them, some steps without states, and an input.
+std::vector<StepRecord> steps_that_leave_grids(const sim::WorldState& start) {
+  std::mt19937_64 random(8);
+  std::vector<StepRecord> steps =
+      made_up_steps(start, 24, [&] { return static_cast<double>(random() >> 40) / static_cast<double>(1U << 20U); });
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i].has_states = i % 5 != 1;
+  steps[3].inputs.emplace_back(sim::SetGravity{{0, 1, 2}});
+  steps[4].inputs.emplace_back(sim::Remove{11});
+  for (std::size_t i = 4; i < steps.size(); ++i) {
+    steps[i].states.id = {10, 12};
+    for (std::vector<double>* column : columns_of(steps[i].states)) column->resize(2);
+    steps[i].states.frozen.resize(2);
+  }
+  steps[7].states.position.y[1] = -0.0;
+  steps[12].states.spin.x[0] = 0.1;
+  steps[12].states.velocity.z[1] = std::nan("");
+  steps[23].states.velocity.x[0] = 1e300;
+  return steps;
+}
+
+TEST(StateCodec, ColumnsThatLeaveTheirGridsLateComeBack) {
+  const sim::WorldState start = start_of(small_scene());
+  const std::vector<StepRecord> steps = steps_that_leave_grids(start);
+  for (const std::size_t count : {7U, 8U, 12U, 13U, 24U}) {
+    SCOPED_TRACE(count);
+    expect_round_trip(start, {steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(count)});
+  }
+}
+
+TEST(ChunkEncoder, StepsThatComeOneByOneGiveTheSameBytes) {
+  const sim::WorldState start = start_of(small_scene());
+  std::vector<StepRecord> steps = steps_that_leave_grids(start);
+  const Keyframe keyframe = {start, {7, 8}};
+  const Result<MessageBytes> together = ChunkEncoder().encode(keyframe, steps);
+  ChunkEncoder encoder;
+  encoder.begin(keyframe.state);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    ASSERT_TRUE(encoder.take_states(steps[i], std::span(steps).first(i)).ok());
+    steps[i].states = {};
+  }
+  const Result<MessageBytes> message = encoder.finish(keyframe, steps, {});
+  ASSERT_TRUE(together.ok() && message.ok());
+  EXPECT_TRUE(std::ranges::equal(message->bytes(), together->bytes()));
 }
 
 TEST(ChunkEncoder, AMessageInMemoryUsedBeforeHasTheSameBytes) {
