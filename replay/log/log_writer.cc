@@ -21,6 +21,7 @@ struct LogWriter::Buffer {
   bool ends_chunk = false;
   std::vector<StepRecord> steps;  ///< of which `used` are filled
   std::size_t used = 0;
+  std::uint64_t bytes = 0;  ///< of the filled steps
 
   /// Allocates the memory of `count` steps and touches it.
   void reserve(const sim::Bodies& bodies, std::size_t count) {
@@ -69,6 +70,7 @@ struct LogWriter::Shared {
   std::condition_variable changed;
   std::deque<std::unique_ptr<Buffer>> full;
   std::deque<std::unique_ptr<Buffer>> free;
+  std::uint64_t bytes_ahead = 0;  // in full buffers and in the one that the thread encodes
   std::vector<std::unique_ptr<Keyframe>> free_keyframes;
   Status status;
   bool stopping = false;
@@ -93,21 +95,23 @@ void LogWriter::Shared::begin_chunk(const sim::WorldState& state) {
 }
 
 /// Moves the open buffer to `full` and opens the next one, of a new chunk that begins at `now` if the chunk ends.
-/// Waits while no buffer is free.
+/// Waits while no buffer is free, or the full ones hold too much.
 Status LogWriter::Shared::hand_over(const sim::WorldState& now, bool ends_chunk) {
   SIM_CHECK(now.step == chunk.last_state(), now.step, chunk.last_state());
   open->ends_chunk = ends_chunk;
   Status so_far;
   {
     std::unique_lock lock(mutex);
+    bytes_ahead += open->bytes;
     full.push_back(std::move(open));
     changed.notify_all();
-    changed.wait(lock, [this] { return !free.empty(); });
+    changed.wait(lock, [this] { return !free.empty() && bytes_ahead <= sizes.bytes_ahead; });
     open = std::move(free.front());
     free.pop_front();
     so_far = status;
   }
   open->used = 0;
+  open->bytes = 0;
   if (ends_chunk) {
     begins = false;
     begin_chunk(now);
@@ -143,6 +147,7 @@ void LogWriter::Shared::run() {
     const Status done = write(*buffer);
     lock.lock();
     if (status.ok() && !done.ok()) status = done;
+    bytes_ahead -= std::min(bytes_ahead, buffer->bytes);  // the last one was not counted
     if (buffer->ends_chunk) free_keyframes.push_back(std::move(written));
     free.push_back(std::move(buffer));
     changed.notify_all();
@@ -208,7 +213,7 @@ Status LogWriter::append(const StepInfo& info, const sim::WorldState& after) {
   Shared& s = *shared_;
   SIM_CHECK(after.step == s.chunk.last_state() + 1, after.step, s.chunk.last_state());
   s.open->add(info, after);
-  s.chunk.add(info, after.bodies);
+  s.open->bytes += s.chunk.add(info, after.bodies);
   const bool ends_chunk = s.chunk.full(after.bodies.size());
   return ends_chunk || s.open->used >= s.sizes.steps ? s.hand_over(after, ends_chunk) : Status();
 }

@@ -25,7 +25,9 @@ struct OpenChunk {
   /// The number of the state after the last added step.
   [[nodiscard]] std::uint64_t last_state() const { return first_state + steps; }
 
-  void add(const StepInfo& info, const sim::Bodies& bodies) {
+  /// Adds a step; its bytes in memory.
+  std::uint64_t add(const StepInfo& info, const sim::Bodies& bodies) {
+    const std::uint64_t before = bytes;
     ++steps;
     if (info.extras != nullptr) {
       bytes += bytes_of(*info.extras);
@@ -33,6 +35,7 @@ struct OpenChunk {
     }
     busy_rows += static_cast<std::uint64_t>(std::count(bodies.frozen.begin(), bodies.frozen.end(), 0));
     bytes += bodies.size() * kBodyStateBytes + info.phase_words.size() * 8;
+    return bytes - before;
   }
 
   [[nodiscard]] bool full(std::size_t bodies) const {
@@ -53,10 +56,12 @@ struct BufferSizes {
     steps = std::clamp<std::uint64_t>(kBytes / of_step, 1, kChunkBusySteps);
     const std::uint64_t ahead = std::min(kStepsAhead / steps, kBytesAhead / (steps * of_step));
     buffers = bodies < kManyBodies ? std::max<std::uint64_t>(ahead, 3) : 1;
+    bytes_ahead = std::max(3 * kChunkStateBytes, 3 * steps * of_step);
   }
 
   std::uint64_t steps;
   std::uint64_t buffers;
+  std::uint64_t bytes_ahead;  ///< that full buffers may hold: snapshots and channels of an engine can be large
 };
 
 }  // namespace tumble::replay
