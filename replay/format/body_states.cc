@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "src/world/visible_columns.h"
-
 namespace tumble::replay {
 namespace {
 
@@ -34,8 +32,14 @@ void copy_visible(const sim::Bodies& bodies, BodyStates& states) {
 }
 
 Hash128 state_hash(const BodyStates& states) {
-  return sim::state_hash(
-      sim::VisibleColumns{states.id, states.position, states.orientation, states.velocity, states.spin, states.frozen});
+  sim::Bodies bodies;
+  bodies.id = states.id;
+  bodies.position = states.position;
+  bodies.orientation = states.orientation;
+  bodies.velocity = states.velocity;
+  bodies.spin = states.spin;
+  bodies.frozen = states.frozen;
+  return sim::state_hash(bodies);
 }
 
 bool same_bits(const BodyStates& a, const BodyStates& b) { return same_visible(a, b); }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "src/world/visible_columns.h"
-
 namespace tumble::sim {
 namespace {
 
@@ -24,8 +22,7 @@ void add(Hasher& hasher, const Vec3& v) {
   hasher.add(v.z());
 }
 
-template <class Columns>
-void add_visible(Hasher& hasher, const Columns& bodies) {
+void add_visible(Hasher& hasher, const Bodies& bodies) {
   hasher.add(std::span<const BodyId>(bodies.id));
   add(hasher, bodies.position);
   add(hasher, bodies.orientation.w);
@@ -74,12 +71,6 @@ std::uint32_t method_version(Method method) {
 Hash128 state_hash(const Bodies& bodies) {
   Hasher hasher;
   add_visible(hasher, bodies);
-  return hasher.digest();
-}
-
-Hash128 state_hash(const VisibleColumns& columns) {
-  Hasher hasher;
-  add_visible(hasher, columns);
   return hasher.digest();
 }
 
