@@ -46,7 +46,8 @@ std::size_t held(const ContactBatches& b) {
                         b.touched_end, b.counts, b.entries, b.outcomes);
 }
 std::size_t held(const FastContacts& f) {
-  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.merged);
+  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits,
+                 f.merged);
 }
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
 
@@ -97,7 +98,8 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
        held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies, s.waves.start,
                w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck,
                w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.wakes,
-               s.sleeping.touching, s.sleeping.least, s.sleeping.restless, s.sleeping.held)});
+               s.sleeping.touching, s.sleeping.least, s.sleeping.restless, s.sleeping.held, s.sleeping.together,
+               s.sleeping.energy_before, s.sleeping.liveliest_before, s.sleeping.liveliest)});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

@@ -205,6 +205,9 @@ struct SleepScratch {
   std::vector<double> least;           ///< s, the least time of rest of a body and of those that it touches
   std::vector<std::uint8_t> restless;  ///< by the body that stands for an island
   std::vector<std::uint8_t> held;      ///< likewise: the island touches what does not move
+  std::vector<std::uint8_t> together;  ///< likewise: the island has two bodies or more
+  std::vector<double> energy_before;   ///< J/kg, of a body as the step found it; of those that may sleep after the step
+  std::vector<double> liveliest_before, liveliest;  ///< J/kg, by island: the most of a body, and what it is after
 };
 
 }  // namespace tumble::sim

@@ -182,6 +182,7 @@ struct FastContacts {
   ContactBatches batches;              ///< of one layer
   std::vector<std::uint32_t> members;  ///< of the layer
   std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
+  std::vector<std::uint8_t> waits;     ///< as `bodies`: those that bounce now
   ContactMemory merged;                ///< memory of finish_motion
 
   [[nodiscard]] bool none() const { return pairs.empty(); }

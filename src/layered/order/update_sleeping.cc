@@ -1,10 +1,21 @@
 #include "src/layered/order/update_sleeping.h"
 
+#include <cmath>
+
 #include "src/world/body_check.h"
 #include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {
+
+// Of gravity. What gains speed faster is not at rest, however slow it is. A slope gives that much at an angle of
+// 1e-5 rad; a body at rest gains and loses a thousandth of it, by rounding.
+constexpr double kSpeedingUp = 1e-5;
+
+double energy_per_mass(const Bodies& bodies, BodyIndex i) { return kinetic_energy(bodies, i) / bodies.mass[i]; }
+
+// m/s, of a body that has that energy per kilogram and does not turn.
+double speed_of(double energy_per_kg) { return std::sqrt(2 * energy_per_kg); }
 
 // J/kg, of the motion that parts a body from others; as if all of its mass turned at the distance of a corner, which is
 // a bound.
@@ -50,8 +61,7 @@ bool advance_timers(WorldState& state, Scratch& scratch, double dt_s) {
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       if (!bodies.moves(i)) continue;
-      const bool low = scratch.sleeping.touching[i] != 0 &&
-                       kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy &&
+      const bool low = scratch.sleeping.touching[i] != 0 && energy_per_mass(bodies, i) < def.freeze_energy &&
                        parting(scratch, i) < def.freeze_energy;
       bodies.low_energy_time[i] = low ? scratch.sleeping.least[i] + dt_s : 0;
       if (bodies.low_energy_time[i] >= def.freeze_time) mark(any);
@@ -70,18 +80,50 @@ void put_to_sleep(Bodies& bodies, BodyIndex i) {
 bool rests(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
 
 // Marks the islands that touch the ground, a static or a sleeping body: nothing else can hold a slow island where it
-// is.
+// is. Also those of several bodies.
 void mark_held(const Bodies& bodies, Scratch& scratch, Islands& islands) {
-  std::vector<std::uint8_t>& held = scratch.sleeping.held;
+  std::vector<std::uint8_t>&held = scratch.sleeping.held, &together = scratch.sleeping.together;
   held.assign(bodies.size(), 0);
+  together.assign(bodies.size(), 0);
   for_touching(scratch, [&](const Manifold& m) {
+    if (!rests(bodies, m.a) && !rests(bodies, m.b)) mark(together[islands.of(m.b)]);
     if (rests(bodies, m.a) && !rests(bodies, m.b)) mark(held[islands.of(m.b)]);
     if (rests(bodies, m.b) && !rests(bodies, m.a)) mark(held[islands.of(m.a)]);
   });
 }
 
+// Calls visit(body) for all bodies that move, by several workers at a time.
+template <class Visit>
+void for_moving(const Bodies& bodies, const Scratch& scratch, Visit visit) {
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (bodies.moves(i)) visit(i);
+    }
+  });
+}
+
+// Of each island the largest energy per kilogram of a body, before the step and now. A largest one depends on no order,
+// as a sum of energies would.
+void find_liveliest(const Bodies& bodies, Scratch& scratch, Islands& islands) {
+  SleepScratch& sleeping = scratch.sleeping;
+  sleeping.liveliest_before.assign(bodies.size(), 0);
+  sleeping.liveliest.assign(bodies.size(), 0);
+  for_moving(bodies, scratch, [&](BodyIndex i) {
+    const BodyIndex island = islands.of(i);
+    shared::raise(sleeping.liveliest_before[island], sleeping.energy_before[i]);
+    shared::raise(sleeping.liveliest[island], energy_per_mass(bodies, i));
+  });
+}
+
+// Whether a force moves an island. A body alone that loses speed must come to rest first, since what brakes it may turn
+// it back; a heap or a tower sways for seconds, so it may sleep where its sway goes down.
+bool is_pushed(const SleepScratch& sleeping, BodyIndex island, double gain) {
+  const double gained = speed_of(sleeping.liveliest[island]) - speed_of(sleeping.liveliest_before[island]);
+  return (sleeping.together[island] != 0 ? gained : std::fabs(gained)) > gain;
+}
+
 // Puts the islands to sleep that are held and of which every body has been slow for long enough.
-void freeze_islands(WorldState& state, Scratch& scratch) {
+void freeze_islands(WorldState& state, Scratch& scratch, double dt_s) {
   Bodies& bodies = state.bodies;
   Islands islands(scratch.island_links, bodies.size(), scratch.workers);
   for_touching(scratch, [&](const Manifold& m) {
@@ -90,17 +132,15 @@ void freeze_islands(WorldState& state, Scratch& scratch) {
   mark_held(bodies, scratch, islands);
   std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
   restless.assign(bodies.size(), 0);
-  const auto for_moving = [&](auto visit) {
-    for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
-      for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-        if (bodies.moves(i)) visit(i);
-      }
-    });
-  };
-  for_moving([&](BodyIndex i) {
+  for_moving(bodies, scratch, [&](BodyIndex i) {
     if (bodies.low_energy_time[i] < state.def.freeze_time) mark(restless[islands.of(i)]);
   });
-  for_moving([&](BodyIndex i) {
+  find_liveliest(bodies, scratch, islands);
+  const double gain = kSpeedingUp * length(state.def.gravity) * dt_s;
+  for_moving(bodies, scratch, [&](BodyIndex i) {
+    if (is_pushed(scratch.sleeping, islands.of(i), gain)) mark(restless[islands.of(i)]);
+  });
+  for_moving(bodies, scratch, [&](BodyIndex i) {
     const BodyIndex island = islands.of(i);
     if (restless[island] == 0 && scratch.sleeping.held[island] != 0) put_to_sleep(bodies, i);
   });
@@ -108,11 +148,24 @@ void freeze_islands(WorldState& state, Scratch& scratch) {
 
 }  // namespace
 
+void note_energies(const WorldState& state, Scratch& scratch, double dt_s) {
+  const Bodies& bodies = state.bodies;
+  std::vector<double>& energy = scratch.sleeping.energy_before;
+  energy.assign(bodies.size(), 0);
+  if (!state.def.freezing) return;
+  const double from = state.def.freeze_time - 2 * dt_s;
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (bodies.low_energy_time[i] >= from && bodies.moves(i)) energy[i] = energy_per_mass(bodies, i);
+    }
+  });
+}
+
 Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s) {
   look_around(state.bodies, scratch);
   const bool slow_for_long = advance_timers(state, scratch, dt_s);
   // Without gravity nothing holds a body: it drifts on.
-  if (slow_for_long && state.def.freezing && state.def.gravity != Vec3::Zero()) freeze_islands(state, scratch);
+  if (slow_for_long && state.def.freezing && state.def.gravity != Vec3::Zero()) freeze_islands(state, scratch, dt_s);
   return {};
 }
 

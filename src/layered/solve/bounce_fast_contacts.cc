@@ -10,7 +10,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr int kVisits = 8;  // an impulse that falls short loses energy
+constexpr int kVisits = 64;  // an impulse that falls short loses energy
 
 // Bodies that bounce have waited where they met, though their velocities moved the separations on.
 void put_back(Scratch& scratch) {

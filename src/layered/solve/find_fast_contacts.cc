@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "src/kernels/kernels_by_width.h"
@@ -154,6 +155,51 @@ void separate_bounces(ContactBatches& all, std::size_t begin, std::size_t end, d
   }
 }
 
+// A point that touches; and whether one meets fast enough to bounce.
+struct Touching {
+  bool any = false, bounces = false;
+};
+Touching touching_points(const Bodies& bodies, const ManifoldList& found, const Manifold& m) {
+  const Vec3 none = Vec3::Zero();
+  const Vec3 va = m.a == kGround ? none : bodies.velocity[m.a], wa = m.a == kGround ? none : bodies.spin[m.a];
+  const Vec3 u = (bodies.velocity[m.b] - va) - cross(wa, m.d), w = bodies.spin[m.b] - wa;
+  const double un = dot(u, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
+  Touching touching;
+  for (const ManifoldPoint& point : std::span(found.points).subspan(m.first, m.count)) {
+    if (point.separation > kMet) continue;
+    touching.any = true;
+    touching.bounces |= m.restitution > 0 && un + (w1 * point.q - w2 * point.p) <= -kFastBounceMin;
+  }
+  return touching;
+}
+
+// Leaves out the contacts of bodies that bounce now with those that they do not touch: the bodies wait, and meet others
+// in a later substep, if they still do. Such a contact would take its part of the body's mass in the bounce.
+void leave_unmet(const Bodies& bodies, FastContacts& fast) {
+  ManifoldList& found = fast.found;
+  std::vector<std::uint8_t>& waits = fast.waits;
+  waits.assign(fast.bodies.size(), 0);
+  for (const Manifold& m : found.manifolds) {
+    if (!touching_points(bodies, found, m).bounces) continue;
+    waits[fast.place[m.b]] = 1;
+    if (m.a != kGround) waits[fast.place[m.a]] = 1;
+  }
+  const auto waiting = [&](BodyIndex i) { return i == kGround || !bodies.moves(i) || waits[fast.place[i]] != 0; };
+  std::size_t kept = 0;
+  std::uint32_t points = 0;
+  for (std::size_t k = 0; k < found.manifolds.size(); ++k) {
+    const Manifold& m = found.manifolds[k];
+    if (waiting(m.a) && waiting(m.b) && !touching_points(bodies, found, m).any) continue;
+    const auto begin = found.points.begin() + m.first;
+    std::copy(begin, begin + m.count, found.points.begin() + points);
+    found.manifolds[kept] = m;
+    found.manifolds[kept].first = std::exchange(points, points + m.count);
+    ++kept;
+  }
+  found.manifolds.resize(kept);
+  found.points.resize(points);
+}
+
 bool any_slender(const Bodies& bodies, const FastContacts& fast) {
   return std::ranges::any_of(fast.bodies, [&](const FastBody& body) {
     return bodies.moves(body.row) && is_slender(bodies.inertia[body.row]);
@@ -173,6 +219,7 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   });
   renew_bodies(state, scratch, substep_s);
   find_manifolds_of(state, scratch, substep_s);
+  leave_unmet(state.bodies, fast);
   batch_fast_contacts(state, scratch, any_slender(state.bodies, scratch.fast));
   for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.prepare(part);

@@ -5,6 +5,7 @@
 #include "src/layered/order/layer_reach.h"
 #include "src/layered/order/share_sweeps.h"
 #include "src/layered/order/solver_body.h"
+#include "src/layered/order/update_sleeping.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
@@ -66,6 +67,7 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.visits.still = kStillPart * length(state.def.gravity) * dt_s;
   Hasher* const hasher = take_hasher(scratch);
   find_in_contact(state, scratch);
+  note_energies(state, scratch, dt_s);
   list_fast_bodies(state, scratch);
   prepare_bodies(state, scratch, hasher);
   batch_contacts(state, scratch);
