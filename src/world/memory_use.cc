@@ -66,7 +66,8 @@ void add_state(const WorldState& state, std::vector<MemoryPart>& parts) {
 
 void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
   const SweepScratch& sweep = s.sweep;
-  parts.push_back({"boxes", GrowsWith::kBodies, held_by(s.frames, s.aabb_low, s.aabb_high, s.turning, s.framed)});
+  parts.push_back({"boxes", GrowsWith::kBodies,
+                   held_by(s.frames, s.aabb_low, s.aabb_high, s.turning, s.ranges, s.hit_unevenly, s.framed)});
   parts.push_back({"sweep: order and cells", GrowsWith::kBodies,
                    held_by(sweep.order, sweep.judged, sweep.fat_low, sweep.fat_high, sweep.boxes, sweep.start,
                            sweep.next, sweep.entries, sweep.cell_start, sweep.extents)});

@@ -16,6 +16,11 @@
 /// may read the memory of another one.
 namespace tumble::sim {
 
+/// The velocities that a body may get within a step, m/s, none (no motion) among them.
+struct VelocityRange {
+  Vec3 low = Vec3::Zero(), opposite_high = Vec3::Zero();  ///< no more than 0; minus the highest
+};
+
 /// What one contact asks of a body: to move out of the other body.
 struct Displacement {
   Vec3 direction;       ///< unit length

@@ -234,9 +234,11 @@ struct Scratch {
   std::vector<std::uint8_t> hit;          ///< by body, kHit and kBouncesFully; written by compute_impulses
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.
-  std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds
-  std::vector<double> turning;      ///< m, way of corners by turning; written by find_near_pairs
-  std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
+  std::vector<std::uint8_t> held;     ///< bodies that a contact pressed at the end of the last step; by find_manifolds
+  std::vector<double> turning;        ///< m, way of corners by turning; written by find_near_pairs
+  std::vector<VelocityRange> ranges;  ///< by body, empty where no two are fast; written by find_near_pairs
+  std::vector<std::uint8_t> hit_unevenly;  ///< by body, empty as ranges; written by find_near_pairs
+  std::vector<Manifold> manifolds;         ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by worker
   bool found_again = false;                ///< whether wake_islands found the manifolds again

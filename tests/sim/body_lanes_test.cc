@@ -73,6 +73,10 @@ TEST(BodyLanes, FlyAsOneBodyDoes) {
   }
 }
 
+// How much farther a body reaches to one side, m, if others hit it. with, without: m/s, its largest speed there if they
+// do and if not.
+double wider(double with, double without) { return PositionGrid::round(std::max(0.0, with - without) * kDt); }
+
 // What find_near_pairs is to make of a body's AABB.
 void expect_reach(const World& world, BodyIndex i) {
   const Bodies& bodies = world.bodies();
@@ -88,8 +92,11 @@ void expect_reach(const World& world, BodyIndex i) {
   const Vec3 path = PositionGrid::round(Vec3(bodies.velocity[i] * kDt));
   for (int k = 0; k < 3; ++k) {
     const double reach = PositionGrid::round(reach_along(frame, k)) + PositionGrid::kStep;
-    EXPECT_EQ(scratch.aabb_low[i][k], frame.position[k] - reach - margin + std::min(path[k], 0.0));
-    EXPECT_EQ(scratch.aabb_high[i][k], frame.position[k] + reach + margin + std::max(path[k], 0.0));
+    const double v = bodies.moves(i) ? bodies.velocity[i][k] : 0;
+    const VelocityRange range = scratch.ranges.empty() ? VelocityRange{} : scratch.ranges[i];
+    const double low = wider(-range.low[k], std::max(0.0, -v)), high = wider(-range.opposite_high[k], std::max(0.0, v));
+    EXPECT_EQ(scratch.aabb_low[i][k], frame.position[k] - reach - margin + std::min(path[k], 0.0) - low);
+    EXPECT_EQ(scratch.aabb_high[i][k], frame.position[k] + reach + margin + std::max(path[k], 0.0) + high);
   }
 }
 

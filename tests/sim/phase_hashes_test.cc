@@ -43,6 +43,8 @@ std::vector<Field> layered_fields() {
   std::vector<Field> fields = {
       {"find_near_pairs", "b", [](World& w) { ++w.mutable_state().pairs.b[0]; }},
       {"find_near_pairs", "turning", [](World& w) { w.mutable_scratch().turning[0] += 1; }},
+      {"find_near_pairs", "ranges", [](World& w) { w.mutable_scratch().ranges[0].opposite_high.y() -= 1; }},
+      {"find_near_pairs", "hit_unevenly", [](World& w) { w.mutable_scratch().hit_unevenly[0] ^= 1; }},
       {"find_near_pairs", "axes", [](World& w) { w.mutable_scratch().frames[0].axes.axis[2].y() += 1; }},
       {"find_near_pairs", "frame", [](World& w) { w.mutable_scratch().frames[0].position.y() += 1; }},
       {"find_manifolds", "restitution", [](World& w) { manifold(w).restitution += 1; }},

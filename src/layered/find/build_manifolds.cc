@@ -1,16 +1,17 @@
 #include "src/layered/find/build_manifolds.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "src/layered/find/contact_axes.h"
 #include "src/layered/find/contact_recall.h"
 #include "src/layered/find/fast_pairs.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
+#include "src/layered/find/manifold_materials.h"
 #include "src/layered/find/manifold_points.h"
 #include "src/layered/find/pair_tests.h"
 #include "src/layered/find/point_reach.h"
+#include "src/layered/find/velocity_ranges.h"
 #include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
@@ -53,14 +54,17 @@ class Builder {
         const BodyIndex j = pairs.b[k];
         if (!bodies_.moves(i) && !bodies_.moves(j)) {
           recall_.keep(i, j, out_);
-        } else if (pair_ = tests.next(); pair_ != nullptr && !listed_as_fast(i, j)) {
+        } else if (pair_ = tests.next(); pair_ != nullptr && !pair_->in_reach) {
+          list_if_hit(i, j);
+        } else if (pair_ != nullptr && !listed_as_fast(i, j)) {
           step_pair(i, j);
         }
       }
       if (!state_.def.ground || bodies_.is_static[i] != 0) continue;
       if (!bodies_.moves(i)) {
         recall_.keep(i, kGround, out_);
-      } else if (!reaches(i) || !listed_as_fast(i, kGround)) {
+      } else if (reaches(i, fall_) && !listed_as_fast(i, kGround)) {
+        if (!reaches(i, fall_of(i))) out_.fast_pairs.emplace_back(i, kGround);
         ground(i);
       }
     }
@@ -69,6 +73,7 @@ class Builder {
 
   // Builds the manifolds of those of the pairs that come together in the substep.
   void build_fast(std::span<const ContactPair> pairs, std::span<const Approach> approaches) {
+    in_substep_ = true;
     FastPairTests tests(scratch_, pairs, approaches);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto [i, j] = pairs[k];
@@ -98,6 +103,7 @@ class Builder {
   // pair_ is the result of the box test. Returns whether the pair needs nothing else: it has a manifold, or does not
   // meet.
   bool pair(BodyIndex lo, BodyIndex hi) {
+    lo_ = lo, hi_ = hi;
     smallest_ = smallest_half_extent(scratch_.frames[lo], scratch_.frames[hi]);
     approach_ = bodies_.velocity[hi] - bodies_.velocity[lo];
     turn_ = turning(lo) + turning(hi);
@@ -105,16 +111,11 @@ class Builder {
     const double slop = std::min(kSlop, kSlopOfHalfExtent * smallest_);
     const double sliding = sliding_overlap(slop, length(approach_) * substep_), most = slack_of(smallest_);
     open_ = {std::min(slop + sag_, most), std::min((holds_one(scratch_, lo, hi) ? sliding : slop) + sag_, most)};
-    const bool passing = in_reach() && leave_pushing_axes(lo, hi);
+    const double apart = separation_of(*pair_), closes = length(approach_) * (dt_ - pair_->later) + turn_;
+    const bool near = apart >= -open_.most && apart - closes <= slack_of(smallest_) + fall_of(smallest_);
+    const bool passing = near && leave_pushing_axes(lo, hi);
     add_preferred(lo, hi);
     return passing || out_.manifolds.size() > before;
-  }
-
-  // Whether points of the pair may be kept, though it is not deep in one another.
-  bool in_reach() const {
-    const double closes = length(approach_) * (dt_ - pair_->later) + turn_;
-    const double apart = separation_of(*pair_);
-    return apart >= -open_.most && apart - closes <= slack_of(smallest_) + fall_;
   }
 
   // Leaves of the axes those that may push. Returns whether the pair passes.
@@ -144,8 +145,12 @@ class Builder {
 
   // A pair that meets although no point closes or lies in both boxes, as it faces now, gets its contacts when it meets.
   void list_if_meeting(BodyIndex lo, BodyIndex hi) {
-    if (pair_->later == 0 && separation_of(*pair_) > length(approach_) * dt_ + turn_) return;
-    if (paths_.follow(lo, hi, 0).kind == Approach::Kind::kMeeting) out_.fast_pairs.emplace_back(lo, hi);
+    if (pair_->later == 0 && separation_of(*pair_) > length(approach_) * dt_ + turn_) return list_if_hit(lo, hi);
+    if (paths_.follow(lo, hi, 0).kind != Approach::Kind::kMeeting) return list_if_hit(lo, hi);
+    out_.fast_pairs.emplace_back(lo, hi);
+  }
+  void list_if_hit(BodyIndex lo, BodyIndex hi) {
+    if (may_meet_if_hit(scratch_, lo, hi, fall_, dt_)) out_.fast_pairs.emplace_back(lo, hi);
   }
 
   // The axes that kept two boxes apart until they met; edges like faces only if nothing else touches.
@@ -171,7 +176,13 @@ class Builder {
 
   // The separation, m, up to which points are kept. n: from the lower row to the higher.
   double margin_of(const Vec3& n) const {
-    return std::max(0.0, -dot(approach_, n)) * dt_ + (turn_ + fall_) + slack_of(smallest_);
+    return closing_along(n) + (turn_ + fall_of(smallest_)) + slack_of(smallest_);
+  }
+
+  // How much nearer the two may come along n, m: in a substep also if a third body stops or hits one of them.
+  double closing_along(const Vec3& n) const {
+    const double alone = std::max(0.0, -dot(approach_, n)) * dt_;
+    return in_substep_ ? std::max(alone, way_if_hit(scratch_, lo_, hi_, n, dt_)) : alone;
   }
 
   // axes: faces of the reference, from bit 0 on.
@@ -214,26 +225,20 @@ class Builder {
     finish(m);
   }
 
-  // The points lie where the boxes will meet; the separations become those of now.
-  void separate_as_now(const Manifold& m) {
-    const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
-    for (ManifoldPoint& point : points_of(out_, m)) point.separation -= pair_->later * opening;
-  }
+  // The way that gravity may add, m, by which points are kept. A thin box that falls from rest may pass the next one in
+  // a step, and would be held by points of boxes behind the next: beyond half its thickness a pair becomes a fast pair.
+  double fall_of(double smallest) const { return std::min(fall_, smallest); }
 
-  // How far above the ground corners may be that reach it within the step, m.
-  double reach_of(BodyIndex i) const {
-    const double slack = slack_of(scratch_.frames[i].half_extent.minCoeff());
-    return std::max(0.0, -bodies_.velocity.z[i]) * dt_ + (turning(i) + fall_) + slack;
+  bool reaches(BodyIndex i, double fall) const {
+    return scratch_.frames[i].position.z() - reach_along(scratch_.frames[i], 2) <= reach_of(i, fall);
   }
-  bool reaches(BodyIndex i) const {
-    const BoxFrame& now = scratch_.frames[i];
-    return now.position.z() - reach_along(now, 2) <= reach_of(i);
-  }
+  double reach_of(BodyIndex i, double fall) const { return ground_reach(bodies_, scratch_, i, fall, dt_); }
+  double fall_of(BodyIndex i) const { return fall_of(scratch_.frames[i].half_extent.minCoeff()); }
 
   void ground(BodyIndex i) {
-    if (!reaches(i)) return;
+    if (!reaches(i, fall_of(i))) return;
     Manifold& m = fresh(kGround, i);
-    ground_manifold(scratch_.frames[i], reach_of(i), m, out_.points);
+    ground_manifold(scratch_.frames[i], reach_of(i, fall_of(i)), m, out_.points);
     finish(m);
   }
 
@@ -244,23 +249,17 @@ class Builder {
     Manifold& m = out_.manifolds.back();
     m.a = reference;
     m.b = incident;
-    const WorldDef& def = state_.def;
-    const bool ground = reference == kGround;
-    const double f = ground ? def.ground_material.friction : bodies_.friction[reference];
-    const double fd = ground ? def.ground_material.friction_dynamic : bodies_.friction_dynamic[reference];
-    const double e = ground ? def.ground_material.restitution : bodies_.restitution[reference];
-    m.friction = std::sqrt(f * bodies_.friction[incident]);
-    m.friction_dynamic = std::sqrt(fd * bodies_.friction_dynamic[incident]);
-    m.restitution = std::max(e, bodies_.restitution[incident]);
+    set_materials(state_, m);
     return m;
   }
 
   // Removes points that cannot meet within the step, and recalls the impulses of the last step.
   void finish(Manifold& m) {
-    if (m.a != kGround && pair_->later != 0) separate_as_now(m);
-    double smallest = scratch_.frames[m.b].half_extent.minCoeff();
-    if (m.a != kGround) smallest = std::min(smallest, scratch_.frames[m.a].half_extent.minCoeff());
-    const PointReach reach = {dt_, pushing_s_, slack_of(smallest) + fall_};
+    if (m.a != kGround && pair_->later != 0) separate_as_now(bodies_, m, pair_->later, points_of(out_, m));
+    const double smallest = m.a == kGround ? scratch_.frames[m.b].half_extent.minCoeff() : smallest_;
+    const double way = m.a == kGround || in_substep_ ? way_if_hit(scratch_, m, dt_) : 0;
+    const double margin = (slack_of(smallest) + fall_of(smallest)) + way;
+    const PointReach reach = {dt_, pushing_s_, margin};
     pushes_ |= leave_points_in_reach(bodies_, reach, m, out_.points);
     if (m.count == 0) return out_.manifolds.pop_back();
     recall_.warm_start(m, points_of(out_, m));
@@ -270,10 +269,12 @@ class Builder {
   const Bodies& bodies_;
   const Scratch& scratch_;
   ManifoldList& out_;
-  double dt_, substep_;             // s
-  double fall_, sag_;               // m, ways that gravity may add within the step and within a substep
-  double pushing_s_;                // s, within which points are pushed that would close: a sweep looks a substep ahead
-  FreePaths paths_, ahead_;         // over the step; and over pushing_s_
+  double dt_, substep_;      // s
+  double fall_, sag_;        // m, ways that gravity may add within the step and within a substep
+  double pushing_s_;         // s, within which points are pushed that would close: a sweep looks a substep ahead
+  FreePaths paths_, ahead_;  // over the step; and over pushing_s_
+  bool in_substep_ = false;
+  BodyIndex lo_ = 0, hi_ = 0;       // the pair at hand
   bool pushes_ = false;             // whether a point of the pair at hand does
   double smallest_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
   OpenOverlap open_{};

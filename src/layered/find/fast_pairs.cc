@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 
+#include "src/collide/box_pair.h"
 #include "src/kernels/contacts/contact_batch.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/pair_tests.h"
+#include "src/layered/find/velocity_ranges.h"
 
 namespace tumble::sim {
 namespace {
@@ -31,7 +34,8 @@ bool near(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyInd
   if (hi == kGround) return a.position.z() + std::min(0.0, bodies.velocity.z[lo]) * time_s <= around;
   const BoxFrame& b = scratch.frames[hi];
   const Vec3 offset = b.position - a.position, velocity = bodies.velocity[hi] - bodies.velocity[lo];
-  const double reach = (around + length(b.half_extent)) + length(velocity) * time_s;
+  const double way = std::max(length(velocity) * time_s, way_most_if_hit(scratch, lo, hi, time_s));
+  const double reach = (around + length(b.half_extent)) + way;
   return dot(offset, offset) <= reach * reach;
 }
 
@@ -74,6 +78,21 @@ bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, B
   return length(velocity) * dt_s + turning > kFastBounceMin * dt_s;
 }
 
+bool may_meet_if_hit(const Scratch& scratch, BodyIndex lo, BodyIndex hi, double fall, double dt_s) {
+  const BoxFrame &a = scratch.frames[lo], &b = scratch.frames[hi];
+  const double most = way_most_if_hit(scratch, lo, hi, dt_s);
+  if (most == 0 && fall <= smallest_half_extent(a, b)) return false;
+  const BoxPair boxes(a, b);
+  const BestAxes apart = boxes.best(kFaces | kEdges);
+  const double around = (scratch.turning[lo] + scratch.turning[hi]) + fall;
+  bool meets = apart.axes != 0;
+  for (unsigned rest = apart.axes; rest != 0; rest &= rest - 1) {
+    const double way = way_if_hit(scratch, lo, hi, boxes.normal(std::countr_zero(rest)), dt_s);
+    meets &= apart.separation <= way + around;
+  }
+  return meets;
+}
+
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {
   constexpr std::size_t kAtOnce = 256;
   const FreePaths paths(state, scratch, substep_s);
@@ -92,7 +111,8 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
       const auto [lo, hi] = pairs[k];
       out[k] = {};
       if (!near(state, scratch, lo, hi, substep_s)) continue;
-      const double margin = holds_both(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
+      double margin = holds_both(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
+      if (hi != kGround) margin += way_most_if_hit(scratch, lo, hi, substep_s);
       if (hi == kGround) {
         out[k] = paths.follow(kGround, lo, margin);
         keep_near(lo, hi, out[k]);

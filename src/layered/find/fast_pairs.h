@@ -23,6 +23,10 @@ bool passes(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIn
 /// Whether a pair that no contact holds may meet fast enough to bounce. hi may be kGround.
 bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s);
 
+/// Whether two bodies, neither of them the ground, may meet if a third stops or hits one of them, or since gravity adds
+/// more than half a thickness to their ways (fall, m): such a pair is looked at again in every substep.
+bool may_meet_if_hit(const Scratch& scratch, BodyIndex lo, BodyIndex hi, double fall, double dt_s);
+
 /// How the fast pairs approach within a substep, in their order, from velocities and frames as they are.
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out);
 

@@ -3,6 +3,7 @@
 #include "src/collide/strips.h"
 #include "src/collide/sweep.h"
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/find/velocity_ranges.h"
 #include "src/world/body_columns.h"
 #include "src/world/hash_on_the_way.h"
 
@@ -15,6 +16,7 @@ void add_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher) 
   hasher.add(std::span<const BodyIndex>(pairs.b));
   hasher.add(std::span<const std::uint16_t>(pairs.planes));
   hasher.add(std::span<const double>(scratch.turning));
+  hash_velocity_ranges(scratch, hasher);
 }
 
 }  // namespace
@@ -34,6 +36,10 @@ Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s) {
     kernels(scratch.lanes).bodies.expand_aabbs(bodies, {begin, end}, reach);
   });
   find_overlaps_in_strips(scratch, state.pairs);
+  if (find_velocity_ranges(state, scratch, dt_s)) {
+    widen_aabbs(state, scratch, dt_s);
+    find_overlaps_in_strips(scratch, state.pairs);
+  }
   if (hasher != nullptr) add_pairs(state, scratch, *hasher);
   return check_crowd(scratch);
 }

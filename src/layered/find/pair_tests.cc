@@ -5,6 +5,7 @@
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/meeting_time.h"
+#include "src/layered/find/velocity_ranges.h"
 
 namespace tumble::sim {
 namespace {
@@ -55,6 +56,7 @@ const TestedPair* PairTests::next() {
   tested_.second_b = tests_.second_of_b[k];
   tested_.offset = {tests_.offset[0][k], tests_.offset[1][k], tests_.offset[2][k]};
   tested_.later = later_[k];
+  tested_.in_reach = face_separation(tests_, k) <= reach_[k];
   return &tested_;
 }
 
@@ -87,7 +89,9 @@ void PairTests::add(BodyIndex a, BodyIndex b) {
   tests_.b[k] = b;
   for (int axis = 0; axis < 3; ++axis) tests_.offset[axis][k] = offset[axis];
   later_[k] = later;
-  reach_[k] = length(approach) * dt_ + (turn + fall_) + slack_of(smallest) + kFarPart * smallest;
+  const double around = (turn + fall_) + slack_of(smallest) + kFarPart * smallest;
+  reach_[k] = length(approach) * dt_ + around;
+  stopped_[k] = std::max(reach_[k], way_most_if_hit(scratch_, a, b, dt_) + around);
 }
 
 // The time until the meeting, or 0. Two bodies that move by more than the thinner one's half thickness in a step may
@@ -103,7 +107,7 @@ double PairTests::meeting(BodyIndex a, BodyIndex b, const Vec3& approach, double
 void PairTests::keep_near() {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < added_; ++k) {
-    near_[k] = face_separation(tests_, k) <= reach_[k];
+    near_[k] = face_separation(tests_, k) <= stopped_[k];
     if (!near_[k]) continue;
     tests_.a[kept] = tests_.a[k];
     tests_.b[kept] = tests_.b[k];
@@ -113,6 +117,7 @@ void PairTests::keep_near() {
     tests_.second_of_a[kept] = tests_.second_of_a[k];
     tests_.second_of_b[kept] = tests_.second_of_b[k];
     later_[kept] = later_[k];
+    reach_[kept] = reach_[k];
     ++kept;
   }
   tests_.count = kept;
@@ -135,7 +140,8 @@ const TestedPair& FastPairTests::next() {
              tests_.second_of_a[k],
              tests_.second_of_b[k],
              offset,
-             0};
+             0,
+             true};
   return tested_;
 }
 

@@ -1,22 +1,16 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 
 #include "src/collide/box_pair.h"
 #include "src/kernels/box_tests.h"
+#include "src/layered/find/contact_slack.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
-
-inline double smallest_half_extent(const BoxFrame& a, const BoxFrame& b) {
-  return std::min(a.half_extent.minCoeff(), b.half_extent.minCoeff());
-}
-/// The slack (kContactSlack) of boxes with this smallest half extent, m.
-inline double slack_of(double smallest) { return std::min(kContactSlack, kContactSlackPart * smallest); }
 
 /// Parts of the smallest half extent by which an axis must be better than a face to replace the face.
 inline constexpr double kEdgePreference = 0.01;   ///< for an edge pair
@@ -28,6 +22,7 @@ struct TestedPair {
   double second_a, second_b;  ///< m, the second largest separation along the faces of a and of b (BoxPair::second)
   Vec3 offset;                ///< x_b − x_a, m, at the meeting
   double later;               ///< s until the meeting; 0 unless the boxes are fast for their thickness
+  bool in_reach;              ///< whether they may touch unless a third body stops one of them
 };
 
 /// Runs the box test over the pairs of a step in ascending order, many at a time in lanes (src/kernels/box_tests.h).
@@ -55,7 +50,8 @@ class PairTests {
   std::size_t pair_, last_;
   BoxTests tests_;
   TestedPair tested_{};
-  double reach_[BoxTests::kMost];  // m, largest separation along a face at which points may be kept
+  double reach_[BoxTests::kMost];    // m, largest separation along a face at which points may be kept
+  double stopped_[BoxTests::kMost];  // m, at which the boxes may touch if a third body stops one of them; no less
   double later_[BoxTests::kMost];
   bool near_[BoxTests::kMost];         // by pair, in the order added
   std::size_t asked_ = 0, added_ = 0;  // pairs

@@ -24,4 +24,9 @@ bool leave_points_in_reach(const Bodies& bodies, const PointReach& reach, Manifo
   return pushes;
 }
 
+void separate_as_now(const Bodies& bodies, const Manifold& m, double later, std::span<ManifoldPoint> points) {
+  const double opening = dot(Vec3(bodies.velocity[m.b] - bodies.velocity[m.a]), m.n);
+  for (ManifoldPoint& point : points) point.separation -= later * opening;
+}
+
 }  // namespace tumble::sim

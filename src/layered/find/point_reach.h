@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tumble/sim/manifold.h"
@@ -17,5 +18,8 @@ struct PointReach {
 /// Removes the points of the last manifold that cannot meet. Returns whether one that is left pushes.
 bool leave_points_in_reach(const Bodies& bodies, const PointReach& reach, Manifold& m,
                            std::vector<ManifoldPoint>& points);
+
+/// Where the points lie as the boxes will meet, `later` s from now: makes the separations those of now.
+void separate_as_now(const Bodies& bodies, const Manifold& m, double later, std::span<ManifoldPoint> points);
 
 }  // namespace tumble::sim
