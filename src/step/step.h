@@ -84,7 +84,7 @@ class PhaseHashes : public Observer {
   /// which a restored world does not know. 8: leaves out what a phase cannot change, of method layered masses and
   /// inertias in all phases but the one that computes them, bodies without contact while contacts are solved, fields of
   /// manifolds and points that come from an earlier phase, velocities of bodies that stay awake (`update_sleeping`).
-  static constexpr std::uint32_t kVersion = 8;
+  static constexpr std::uint32_t kVersion = 9;
 
   Hasher* phase_begins() override;
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;

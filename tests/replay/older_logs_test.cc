@@ -65,6 +65,8 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_7_layered",
                            "format_1.3_methods_8_layered",
                            "format_1.3_methods_9_layered",
+                           "format_1.3_methods_7_thesis",
+                           "format_1.3_methods_10_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_8_thesis",
@@ -98,6 +100,7 @@ TEST(OlderLogs, OfOtherVersionsOfTheMethodsAreReplayedWithANote) {
     expect_note(name, 7);
   expect_note("format_1.3_methods_8_layered", 8);
   expect_note("format_1.3_methods_9_layered", 9);
+  expect_note("format_1.3_methods_10_layered", 10);
 }
 
 /// Replays a frozen log, which must be the same in every bit, and returns what was noted.
@@ -109,7 +112,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_methods_7_thesis", "format_1.3_methods_10_layered"}) {
+  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_11_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }
