@@ -18,19 +18,19 @@ volatile std::sig_atomic_t signal_came = 0;
 void note_signal(int /*number*/) { signal_came = 1; }
 
 // What the handler of InterruptExit reads: nothing that it would have to build.
-struct LastWords {
+struct Ending {
   std::array<char, 256> line = {};
   std::size_t size = 0;
   int status = 0;
   void (*clean_up)() = nullptr;
 };
-LastWords last_words;
+Ending ending;
 
 void end_program(int /*number*/) {
-  last_words.clean_up();
-  const ssize_t ignored = ::write(STDERR_FILENO, last_words.line.data(), last_words.size);
+  ending.clean_up();
+  const ssize_t ignored = ::write(STDERR_FILENO, ending.line.data(), ending.size);
   static_cast<void>(ignored);
-  ::_exit(last_words.status);
+  ::_exit(ending.status);
 }
 
 void handle(void (*handler)(int), Handlers& before) {
@@ -59,18 +59,18 @@ InterruptGuard::~InterruptGuard() { give_back(before_); }
 bool InterruptGuard::interrupted() { return signal_came != 0; }
 
 InterruptExit::InterruptExit(const std::string& line, int status, void (*clean_up)()) {
-  SIM_CHECK(last_words.clean_up == nullptr);
-  last_words.size = std::min(line.size(), last_words.line.size() - 1);
-  std::copy_n(line.begin(), last_words.size, last_words.line.begin());
-  last_words.line[last_words.size++] = '\n';
-  last_words.status = status;
-  last_words.clean_up = clean_up;
+  SIM_CHECK(ending.clean_up == nullptr);
+  ending.size = std::min(line.size(), ending.line.size() - 1);
+  std::copy_n(line.begin(), ending.size, ending.line.begin());
+  ending.line[ending.size++] = '\n';
+  ending.status = status;
+  ending.clean_up = clean_up;
   handle(end_program, before_);
 }
 
 InterruptExit::~InterruptExit() {
   give_back(before_);
-  last_words.clean_up = nullptr;
+  ending.clean_up = nullptr;
 }
 
 }  // namespace tumble::process
