@@ -14,7 +14,6 @@
 #include "src/base/check.h"
 
 namespace tumble::replay {
-namespace {
 
 /// The chunk that the caller of LogWriter fills, buffer by buffer: how much of it is there, and whether it is full.
 struct OpenChunk {
@@ -67,8 +66,6 @@ struct BufferSizes {
   std::uint64_t steps, buffers;
   std::uint64_t bytes_ahead;  ///< that full buffers may hold: snapshots and channels of an engine can be large
 };
-
-}  // namespace
 
 /// Some steps of one chunk, filled by the caller and encoded by the thread. Buffers circulate between the two threads
 /// and keep their memory: allocating its pages costs more than filling them.
