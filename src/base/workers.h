@@ -70,6 +70,11 @@ template <class Number>
 bool exchange(Number& number, Number before, Number after) {
   return std::atomic_ref(number).compare_exchange_strong(before, after, std::memory_order_relaxed);
 }
+/// Sets bits of a number whose other bits are set at the same time.
+template <class Number>
+void set_bits(Number& number, Number bits) {
+  if ((read(number) & bits) != bits) std::atomic_ref(number).fetch_or(bits, std::memory_order_relaxed);
+}
 /// Lowers a minimum that others lower at the same time.
 template <class Number>
 void lower(Number& least, Number x) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/layered/find/contact_slack.h"
+#include "src/layered/find/point_reach.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"

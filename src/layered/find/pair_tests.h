@@ -5,8 +5,8 @@
 
 #include "src/collide/box_pair.h"
 #include "src/kernels/box_tests.h"
-#include "src/layered/find/contact_slack.h"
 #include "src/layered/find/find_near_pairs.h"
+#include "src/layered/find/point_reach.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "src/layered/find/contact_slack.h"
+#include "src/layered/find/point_reach.h"
 #include "src/math/grid.h"
 #include "src/world/hash_on_the_way.h"
 #include "tumble/sim/limits.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -116,10 +115,7 @@ class SharesBuilder {
 
   void find_users() {
     const std::uint64_t bit = std::uint64_t{1} << worker_.part;
-    const auto use = [&](std::uint32_t row) {
-      std::atomic_ref users(shares_.users[row]);
-      if ((users.load(std::memory_order_relaxed) & bit) == 0) users.fetch_or(bit, std::memory_order_relaxed);
-    };
+    const auto use = [&](std::uint32_t row) { shared::set_bits(shares_.users[row], bit); };
     for (std::uint32_t layer = 0; layer < layers(); ++layer) {
       for (const std::uint32_t k : shares_.batches_of(layer, worker_.part)) for_sides(k, use);
     }

@@ -18,6 +18,9 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall);
 void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 void store_fast_contacts(Scratch& scratch);
 
+/// The direction of a sweep through the layers: kUp starts at the ground.
+enum class Direction { kUp, kDown };
+
 /// The data for the kernels: of all layers, of one layer of `all`, and of the batches [begin, end) of `work`.
 ContactWork all_contacts(Scratch& scratch, double substep_s);
 ContactWork contacts_of_layer(const Scratch& scratch, const ContactWork& all, std::size_t layer);

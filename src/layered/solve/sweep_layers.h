@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/kernels/contacts/contact_kernels.h"
+#include "src/layered/solve/contact_batches.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 
@@ -9,9 +10,6 @@ namespace tumble::sim {
 /// Of the speed that gravity adds in a step: a contact is not solved again for changes of motion no larger than this.
 /// Measured: with 1e-8 a tower of 40 that never sleeps sways by 70 micrometres in a minute, with 1e-9 by half of one.
 inline constexpr double kStillPart = 1e-9;
-
-/// The direction of a sweep through the layers: kUp starts at the ground.
-enum class Direction { kUp, kDown };
 
 /// Solves all layers (kPush: the layers hold, and fast pairs push) as often as their group says (once for restitution).
 /// The first sweep goes in direction `first`, the next in the opposite direction, and so on. The manifolds of a layer

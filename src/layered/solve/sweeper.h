@@ -7,7 +7,6 @@
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/share_sweeps.h"
 #include "src/layered/solve/contact_batches.h"
-#include "src/layered/solve/sweep_layers.h"
 
 namespace tumble::sim {
 
