@@ -78,7 +78,6 @@ TEST_F(KeptFiles, InputsUnderAllTheirNamesAreLeftAlone) {
     commands.push_back({"import", "t.csv", "--like", "a.tumble", "-o", stem + ".tumble"});
     commands.push_back({"record", "--from", "a.tumble:10", "-o", stem + ".tumble"});
     commands.push_back({"bench", "memory", "--scene", stem + ".toml", "--save", "a.tumble"});
-    commands.push_back({"bench", "scaling", "--budget", "0.3", "--plot", "hard.svg"});
   }
   expect_refused(shop_, commands, " itself");
 }
