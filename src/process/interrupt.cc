@@ -11,7 +11,7 @@ namespace tumble::process {
 namespace {
 
 constexpr std::array kInterrupts = {SIGINT, SIGTERM, SIGHUP};
-using Handlers = std::array<struct sigaction, kInterrupts.size()>;
+static_assert(kInterrupts.size() == SignalHandlers{}.size());
 
 volatile std::sig_atomic_t signal_came = 0;
 
@@ -33,7 +33,7 @@ void end_program(int /*number*/) {
   ::_exit(ending.status);
 }
 
-void handle(void (*handler)(int), Handlers& before) {
+void handle(void (*handler)(int), SignalHandlers& before) {
   struct sigaction action = {};
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
@@ -43,7 +43,7 @@ void handle(void (*handler)(int), Handlers& before) {
   }
 }
 
-void give_back(const Handlers& before) {
+void give_back(const SignalHandlers& before) {
   for (std::size_t i = 0; i < kInterrupts.size(); ++i) ::sigaction(kInterrupts[i], &before[i], nullptr);
 }
 

@@ -6,6 +6,9 @@
 
 namespace tumble::process {
 
+/// What Ctrl-C, SIGTERM and SIGHUP did before.
+using SignalHandlers = std::array<struct sigaction, 3>;
+
 /// While a guard exists, Ctrl-C, SIGTERM and SIGHUP set a flag instead of ending the program, so that a log can be
 /// completed. A signal that the caller ignores stays ignored (nohup, a shell's background job).
 class InterruptGuard {
@@ -18,7 +21,7 @@ class InterruptGuard {
   [[nodiscard]] static bool interrupted();
 
  private:
-  std::array<struct sigaction, 3> before_ = {};
+  SignalHandlers before_ = {};
 };
 
 /// While it exists and no guard does, these signals end the program: they clean up, print a line on standard error, and
@@ -32,7 +35,7 @@ class InterruptExit {
   InterruptExit& operator=(const InterruptExit&) = delete;
 
  private:
-  std::array<struct sigaction, 3> before_ = {};
+  SignalHandlers before_ = {};
 };
 
 }  // namespace tumble::process

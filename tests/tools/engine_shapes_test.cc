@@ -28,25 +28,26 @@ Outcome check_with(const Workshop& shop, const std::string& options) {
   return shop.run({"check", "--report", "r"});
 }
 
+/// Check fails for a session with these options, and says so.
+void expect_fails(const Workshop& shop, const std::string& options, const std::string& sentence) {
+  const Outcome outcome = check_with(shop, options);
+  EXPECT_EQ(outcome.exit, 1) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, sentence)) << outcome.out;
+}
+
 TEST(EngineShapes, CheckNamesABodyOfAnotherShape) {
   const Workshop shop;
   bless_case(shop, "--sphere 1 --late");
   const Outcome same = check_with(shop, "--sphere 1 --late");
   EXPECT_EQ(same.exit, 0) << same.out;
-  const Outcome box = check_with(shop, "--late");
-  EXPECT_EQ(box.exit, 1) << box.out;
-  EXPECT_TRUE(has(box.out, "another shape: body 1: expected sphere of radius 0.5 m, actual box")) << box.out;
-  const Outcome other = check_with(shop, "--sphere 2 --late");
-  EXPECT_EQ(other.exit, 1) << other.out;
-  EXPECT_TRUE(has(other.out, "body 2: expected box, actual sphere of radius 0.5 m")) << other.out;
+  expect_fails(shop, "--late", "another shape: body 1: expected sphere of radius 0.5 m, actual box");
+  expect_fails(shop, "--sphere 2 --late", "body 2: expected box, actual sphere of radius 0.5 m");
 }
 
 TEST(EngineShapes, CheckNamesOneThatAppearsLater) {
   const Workshop shop;
   bless_case(shop, "--sphere 3 --late");
-  const Outcome box = check_with(shop, "--late");
-  EXPECT_EQ(box.exit, 1) << box.out;
-  EXPECT_TRUE(has(box.out, "another shape: body 3: expected sphere of radius 0.5 m, actual box")) << box.out;
+  expect_fails(shop, "--late", "another shape: body 3: expected sphere of radius 0.5 m, actual box");
 }
 
 TEST(EngineShapes, CheckSaysOfABodyOfOneSideThatItIsOneOfThem) {

@@ -53,6 +53,12 @@ void expect_interrupted(const Outcome& outcome, const std::string& command) {
   EXPECT_TRUE(outcome.err.ends_with('\n'));
 }
 
+// What was there is there, and nothing beside it.
+void expect_kept(const Workshop& shop, const std::string& name, const std::string& before) {
+  EXPECT_EQ(shop.read(name), before);
+  EXPECT_TRUE(shop.names_with(".part-").empty());
+}
+
 std::string table_of(std::size_t steps) {
   std::string text =
       "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z\n";
@@ -84,8 +90,7 @@ TEST(Interrupt, AnImportKeepsTheOldLog) {
   const std::string before = shop.read("log.tumble");
   Running import(shop, {"import", "large.csv", "-o", "log.tumble", "--header", "dt: 0.01"});
   expect_interrupted(import.interrupt(has_part(shop)), "import");
-  EXPECT_EQ(shop.read("log.tumble"), before);
-  EXPECT_TRUE(shop.names_with(".part-").empty());
+  expect_kept(shop, "log.tumble", before);
 }
 
 TEST(Interrupt, ARecoveryKeepsTheOldLogAndRemovesItsPart) {
@@ -95,8 +100,7 @@ TEST(Interrupt, ARecoveryKeepsTheOldLogAndRemovesItsPart) {
   ASSERT_EQ(shop.run({"record", "brick_wall", "-o", "long.tumble", "--seconds", "60", "--quiet"}).exit, 0);
   Running recover(shop, {"recover", "long.tumble", "-o", "old.tumble"});
   expect_interrupted(recover.interrupt(has_part(shop)), "recover");
-  EXPECT_EQ(shop.read("old.tumble"), before);
-  EXPECT_TRUE(shop.names_with(".part-").empty());
+  expect_kept(shop, "old.tumble", before);
 }
 
 TEST(Interrupt, AMovieIsWholeOrNotThere) {
@@ -109,8 +113,7 @@ TEST(Interrupt, AMovieIsWholeOrNotThere) {
   const std::string before = shop.read("old.mp4");
   Running render(shop, {"render", "small.tumble", "-o", "old.mp4", "--size", "1280x720"});
   expect_interrupted(render.interrupt(has_part(shop)), "render");
-  EXPECT_EQ(shop.read("old.mp4"), before);
-  EXPECT_TRUE(shop.names_with(".part-").empty());
+  expect_kept(shop, "old.mp4", before);
 }
 
 TEST(Interrupt, ALogThatIsBeingWrittenIsNotCalledTorn) {

@@ -6,7 +6,7 @@
 
 namespace tumble::tools::bisect {
 
-Answer skipped(const std::string& why) { return {false, false, why, {}, {}, {}, {}, {}}; }
+Answer skipped(const std::string& why) { return {.message = why}; }
 
 bool differ(const Answer& a, const Answer& b) {
   return !a.outcome.empty() && !b.outcome.empty() && a.outcome != b.outcome;

@@ -8,13 +8,13 @@ namespace tumble::tools::bisect {
 
 /// A revision's answer to the question.
 struct Answer {
-  bool asked = false;            ///< false: the revision does not build, or cannot read the log; it is skipped
-  bool yes = false;              ///< same bits, within the bound, passed
-  std::string message;           ///< the reason, a line
-  std::optional<double> metric;  ///< the value of the metric asked about
-  std::string not_repeatable;    ///< "3 of 5 yes, 2 no": what it answered when asked again; empty: always the same
-  std::string outcome = {};      ///< of a session unlike the log: how it differs, with its last hash; else empty
-  std::string other = {};        ///< the message of another run with another outcome; empty: there was none
+  bool asked = false;                 ///< false: the revision does not build, or cannot read the log; it is skipped
+  bool yes = false;                   ///< same bits, within the bound, passed
+  std::string message = {};           ///< the reason, a line
+  std::optional<double> metric = {};  ///< the value of the metric asked about
+  std::string not_repeatable = {};    ///< "3 of 5 yes, 2 no": what it answered when asked again; empty: always the same
+  std::string outcome = {};           ///< of a session unlike the log: how it differs, with its last hash; else empty
+  std::string other = {};             ///< the message of another run with another outcome; empty: there was none
   /// The first difference of two sessions that the revision recorded: AskedSessions::difference().
   std::string sessions_differ = {};
 };

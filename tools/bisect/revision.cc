@@ -58,7 +58,7 @@ std::string same_text(const replay::ComparisonScope& scope) {
   return text;
 }
 
-Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}, {}, {}, {}, {}}; }
+Answer answered(bool yes, const std::string& words) { return {.asked = true, .yes = yes, .message = words}; }
 
 constexpr std::size_t kAsksIfDifferent = 5;
 

@@ -74,12 +74,11 @@ V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
 // keeps the energy, and with masses split among contacts neither work would be right.
 template <class V, template <class> class B>
 V part_of_bounce(const Manifolds<V, B>& m, V initial, V gained) {
-  constexpr double kAnyWork = 1e150;  // J
-  const V e = m.get(m.batch->restitution), absorbed = larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
-  const V limit = m.get(m.batch->friction) > 0.0 ? e * e * absorbed : V{} + kAnyWork;
+  const V e = m.get(m.batch->restitution), limit = e * e * larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
+  const auto too_much = (m.get(m.batch->friction) > 0.0) & (initial + gained > limit);
   const V root = square_root(larger(V{}, initial * initial + 4.0 * gained * limit));
   const V part = smaller(one, larger(V{}, (root - initial) / (2.0 * gained)));
-  return initial + gained > limit ? part : one;
+  return too_much ? part : one;
 }
 
 template <Sweep kSweep, class V, template <class> class B>

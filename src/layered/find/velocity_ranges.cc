@@ -42,11 +42,16 @@ double along(const VelocityRange& range, const Vec3& n) {
 // Whether any two bodies could be fast for their thickness; a quick no for most steps.
 bool any_fast(const WorldState& state, const Scratch& scratch, double dt_s) {
   double squared_speed = 0, thin = kPositionMax;
-  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
-    const Vec3 v = velocity_of(state.bodies, i);
-    squared_speed = std::max(squared_speed, dot(v, v));
-    thin = std::min(thin, scratch.frames[i].half_extent.minCoeff());
-  }
+  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    double fastest = 0, thinnest = kPositionMax;
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      const Vec3 v = velocity_of(state.bodies, i);
+      fastest = std::max(fastest, dot(v, v));
+      thinnest = std::min(thinnest, scratch.frames[i].half_extent.minCoeff());
+    }
+    shared::raise(squared_speed, fastest);
+    shared::lower(thin, thinnest);
+  });
   return 4 * squared_speed * (dt_s * dt_s) > thin * thin;
 }
 
@@ -67,7 +72,9 @@ bool find_velocity_ranges(const WorldState& state, Scratch& scratch, double dt_s
   if (!any_fast(state, scratch, dt_s)) return false;
   ranges.resize(bodies.size());
   scratch.hit_unevenly.resize(bodies.size());
-  for (BodyIndex i = 0; i < bodies.size(); ++i) ranges[i] = own_range(velocity_of(bodies, i));
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) ranges[i] = own_range(velocity_of(bodies, i));
+  });
   std::uint8_t any = 0;
   const PairTable& pairs = state.pairs;
   for_ranges(scratch.workers, pairs.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {

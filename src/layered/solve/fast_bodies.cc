@@ -18,9 +18,6 @@ FastBody fast_body_of(const Bodies& bodies, BodyIndex i) {
   return body;
 }
 
-// Sets a number that others set at the same time.
-void say(bool& fact, bool is) { shared::write(fact, is); }
-
 // A contact that presses, and whether it bounces.
 struct Pressing {
   std::uint32_t a, b;
@@ -113,7 +110,7 @@ void mark_pressed(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
   for_pressing(scratch, [&](const Pressing& contact) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
-      if (body != nullptr) say(body->pressed, true);
+      if (body != nullptr) shared::write(body->pressed, true);
     }
   });
 }
@@ -127,8 +124,8 @@ void find_flying(Scratch& scratch) {
   for_pressing(scratch, [&](const Pressing& contact) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
       if (body == nullptr) continue;
-      say(body->flying, false);
-      if (contact.bounces) say(body->waits, true);
+      shared::write(body->flying, false);
+      if (contact.bounces) shared::write(body->waits, true);
     }
   });
 }

@@ -155,7 +155,7 @@ void separate_bounces(ContactBatches& all, std::size_t begin, std::size_t end, d
   }
 }
 
-// A point that touches; and whether one meets fast enough to bounce.
+// Whether a point touches; and whether one of those meets fast enough to bounce, where the materials bounce.
 struct Touching {
   bool any = false, bounces = false;
 };
@@ -168,22 +168,27 @@ Touching touching_points(const Bodies& bodies, const ManifoldList& found, const 
   for (const ManifoldPoint& point : std::span(found.points).subspan(m.first, m.count)) {
     if (point.separation > kMet) continue;
     touching.any = true;
-    touching.bounces |= m.restitution > 0 && un + (w1 * point.q - w2 * point.p) <= -kFastBounceMin;
+    touching.bounces |= un + (w1 * point.q - w2 * point.p) <= -kFastBounceMin;
   }
   return touching;
 }
 
 // Leaves out the contacts of bodies that bounce now with those that they do not touch: the bodies wait, and meet others
 // in a later substep, if they still do. Such a contact would take its part of the body's mass in the bounce.
-void leave_unmet(const Bodies& bodies, FastContacts& fast) {
+void leave_unmet(const Bodies& bodies, Workers* workers, FastContacts& fast) {
   ManifoldList& found = fast.found;
   std::vector<std::uint8_t>& waits = fast.waits;
   waits.assign(fast.bodies.size(), 0);
-  for (const Manifold& m : found.manifolds) {
-    if (!touching_points(bodies, found, m).bounces) continue;
-    waits[fast.place[m.b]] = 1;
-    if (m.a != kGround) waits[fast.place[m.a]] = 1;
-  }
+  std::uint8_t any = 0;
+  for_ranges(workers, found.manifolds.size(), kFastAPart, [&](std::size_t begin, std::size_t end) {
+    for (const Manifold& m : std::span(found.manifolds).subspan(begin, end - begin)) {
+      if (m.restitution == 0 || !touching_points(bodies, found, m).bounces) continue;
+      mark(any);
+      mark(waits[fast.place[m.b]]);
+      if (m.a != kGround) mark(waits[fast.place[m.a]]);
+    }
+  });
+  if (any == 0) return;
   const auto waiting = [&](BodyIndex i) { return i == kGround || !bodies.moves(i) || waits[fast.place[i]] != 0; };
   std::size_t kept = 0;
   std::uint32_t points = 0;
@@ -219,7 +224,7 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   });
   renew_bodies(state, scratch, substep_s);
   find_manifolds_of(state, scratch, substep_s);
-  leave_unmet(state.bodies, fast);
+  leave_unmet(state.bodies, scratch.workers, fast);
   batch_fast_contacts(state, scratch, any_slender(state.bodies, scratch.fast));
   for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.prepare(part);
