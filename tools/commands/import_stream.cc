@@ -21,12 +21,10 @@
 #include "tools/output/text.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_reader.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::tools {
 namespace {
-
-constexpr std::string_view kLogStart("\x89tumble\n", 8);  // at byte 8 of a log
-constexpr std::size_t kLogStartAt = 8;
 
 using replay::StreamReader;
 
@@ -101,7 +99,7 @@ void advise_about_tail(const StreamFiles& files, const StreamReader& stream, rep
 }  // namespace
 
 std::string no_table(const std::string& path, const std::string& start) {
-  if (start.size() >= kLogStartAt + kLogStart.size() && start.substr(kLogStartAt, kLogStart.size()) == kLogStart) {
+  if (start.size() >= replay::kMagicEnd && replay::starts_like_log(std::as_bytes(std::span(start)))) {
     return path +
            ": is a log of Tumble already, wanted a table, an archive or a stream; give it to the other commands as it "
            "is ('tumble info " +
