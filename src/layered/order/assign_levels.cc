@@ -20,6 +20,7 @@ constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a 
 constexpr int kSweepsMax = 10;
 constexpr int kHardSweeps = 20;  // a bar that is pressed at one end turns and passes little on
 constexpr double kStill = 0.01;  // m/s
+constexpr double kPlate = 4;     // times as wide as thick
 
 using Link = ContactGraph::Link;
 
@@ -63,11 +64,18 @@ bool is_uneven(const Bodies& bodies, const Link& m) {
   return heavy >= kMuchHeavier * light && std::max(dot(a, a), dot(b, b)) > kStill * kStill;
 }
 
-// Whether a body may be driven into another by more than half a thickness before the next step: what few sweeps leave
-// over of the hit would drive a stack of thin boxes into itself. Not where a much heavier body hits: many sweeps at the
-// same points would add up what each of them gives the light one too much.
+bool is_plate(const Scratch& scratch, BodyIndex i) {
+  if (i == kGround) return false;
+  const Vec3& half_extent = scratch.frames[i].half_extent;
+  return half_extent.maxCoeff() >= kPlate * half_extent.minCoeff();
+}
+
+// Whether a plate may be driven into another body, or that into it, by more than half a thickness before the next step:
+// what few sweeps leave over of the hit would drive a stack of plates into itself. Cubes are parted in time. Not where
+// a much heavier body hits: many sweeps at the same points would add up what each of them gives the light one too much.
 bool is_hit_through(const Scratch& scratch, const Link& m, double dt_s) {
   if (scratch.ranges.empty() || scratch.hit_unevenly[m.b] != 0) return false;
+  if (!is_plate(scratch, m.a) && !is_plate(scratch, m.b)) return false;
   if (m.a != kGround && scratch.hit_unevenly[m.a] != 0) return false;
   return m.a == kGround ? fall_if_hit(scratch, m.b, dt_s) > 0 : way_most_if_hit(scratch, m.a, m.b, dt_s) > 0;
 }
