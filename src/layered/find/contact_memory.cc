@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 namespace tumble::sim {
@@ -43,9 +42,16 @@ struct Cursor {
 
 // The first contact of a pair that is not before `key`.
 std::size_t place_of(const ContactMemory& memory, const std::pair<BodyIndex, BodyIndex>& key) {
-  const auto all = std::views::iota(std::size_t{0}, memory.size());
-  return static_cast<std::size_t>(
-      std::ranges::lower_bound(all, key, {}, [&](std::size_t k) { return key_of(memory, k); }) - all.begin());
+  std::size_t low = 0, high = memory.size();
+  while (low < high) {
+    const std::size_t middle = std::midpoint(low, high);
+    if (key_of(memory, middle) < key) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
 }
 
 void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactMemory& memory, std::size_t at,
