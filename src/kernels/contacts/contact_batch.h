@@ -60,6 +60,7 @@ struct ContactBatch {
   std::uint32_t first = 0, count = 0;  ///< its points
   bool bounces = false;                ///< one of its points met fast enough to bounce
   bool hard = false;                   ///< belongs to a hard island (assign_levels)
+  std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
   Lanes point_count;                   ///< of each manifold

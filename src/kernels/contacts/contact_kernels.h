@@ -65,7 +65,7 @@ struct ContactKernels {
   bool (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due);
   /// Advances the separations by one substep with the velocities of `bodies`.
   void (*move_on)(const ContactWork& work);
-  /// Computes masses and responses of hard batches anew, after their bodies have turned.
+  /// Computes masses and responses of the manifolds in ContactBatch::turns anew, after their bodies have turned.
   void (*renew)(const ContactWork& work);
   /// Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, m, or
   /// 0.

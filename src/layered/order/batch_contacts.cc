@@ -73,10 +73,12 @@ class Grouping {
     batch.first = all_.counts[k];
     batch.count = all_.counts[k + 1] - all_.counts[k];
     batch.hard = layer >= layers_.hard_from;
+    batch.turns = batch.hard ? kAllLanes : 0;
     batch.bounce_min = layers_.bounce_min;
   }
 
  private:
+  static constexpr std::uint8_t kAllLanes = (1U << kLanes) - 1;
   static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
 
   void place_batch(std::uint32_t at, std::uint32_t members, std::uint32_t used) {
@@ -129,6 +131,7 @@ class Filling {
     ContactBatch empty;
     empty.used = batch.used;
     empty.hard = batch.hard;
+    empty.turns = batch.turns;
     empty.bounce_min = batch.bounce_min;
     empty.members = batch.members;
     empty.first = batch.first;

@@ -23,6 +23,7 @@ namespace {
 constexpr std::uint8_t kBeyond = 2;
 
 constexpr double kStiff = 0.002;  // rad in a substep; below, the inverse inertia is not computed anew
+constexpr double kStale = 0.1;    // by what part turning may change the response of a contact; Jacobi passes bear 0.1
 
 // Turns a body as in free flight, which keeps angular momentum and energy. With a constant spin in world axes instead,
 // a fast bar would gain both.
@@ -69,6 +70,25 @@ bool move(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
   if (!in_substep_range(body)) return false;
   body.velocity -= VelocityGrid::round(fall);
   return true;
+}
+
+// Marks the contacts [begin, end) of fast pairs whose bodies have turned so far that they respond otherwise by more
+// than kStale: a turn by θ mixes directions by θ². Bodies of other pairs turn less.
+void mark_turned(const Bodies& bodies, Scratch& scratch, std::size_t begin, std::size_t end, double substep_s) {
+  const auto turned_far = [&](std::uint32_t row) {
+    if (row >= bodies.size() || !bodies.moves(row)) return false;
+    const Vec3 &inertia = bodies.inertia[row], spin = scratch.solver_bodies[row].spin;
+    const double turned_squared = dot(spin, spin) * (substep_s * substep_s), least = inertia.minCoeff();
+    return turned_squared * (inertia.maxCoeff() - least) > kStale * least;
+  };
+  ContactBatches& all = scratch.fast.batches;
+  for (std::size_t k = begin; k < end; ++k) {
+    ContactBatch& batch = all.batches[k];
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      const bool turned = turned_far(all.sides[k].a[lane]) || turned_far(all.sides[k].b[lane]);
+      if (turned) batch.turns = static_cast<std::uint8_t>(batch.turns | 1U << lane);
+    }
+  }
 }
 
 // "body 7 (0.002 kg)"
@@ -137,7 +157,8 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
                     [&](std::size_t begin, std::size_t end) { add_moved(bodies, scratch, begin, end, numbers); });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
-  // impulse is several times smaller, and sweeps with the old response would diverge.
+  // impulse is several times smaller, and sweeps with the old response would diverge. So it is with any body of a fast
+  // pair that turns by some tenths of a radian.
   renew_copies(scratch);
   const bool renews = has_hard(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
@@ -150,7 +171,8 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
   });
   numbers.pass_on();
   if (scratch.fast.none()) return {};
-  for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t, std::size_t) {
+  for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t begin, std::size_t end) {
+    mark_turned(bodies, scratch, begin, end, substep_s);
     kernels(scratch.lanes).contacts.move_on(part);
     kernels(scratch.lanes).contacts.renew(part);
   });
