@@ -8,6 +8,7 @@
 #include "src/kernels/contacts/contact_prepare_impl.h"
 #include "src/kernels/contacts/contact_solve_impl.h"
 #include "src/kernels/contacts/contact_visits_impl.h"
+#include "src/kernels/ground_collisions_impl.h"
 
 #ifndef TUMBLE_LANES
 #error "TUMBLE_LANES must be 1, 2, 4 or 8"
@@ -128,7 +129,7 @@ constexpr ContactKernels contact_kernels_of() {
 template <>
 const Kernels* compiled_kernels<TUMBLE_LANES>() {
   static constexpr Kernels kKernels = {body_kernels_of<TUMBLE_LANES>(), box_test_kernels_of<TUMBLE_LANES>(),
-                                       contact_kernels_of<TUMBLE_LANES>()};
+                                       contact_kernels_of<TUMBLE_LANES>(), ground_kernels_of<TUMBLE_LANES>()};
   return &kKernels;
 }
 

@@ -3,6 +3,7 @@
 #include "src/kernels/body_kernels.h"
 #include "src/kernels/box_tests.h"
 #include "src/kernels/contacts/contact_kernels.h"
+#include "src/kernels/ground_contacts.h"
 
 namespace tumble::sim {
 
@@ -11,6 +12,7 @@ struct Kernels {
   BodyKernels bodies;
   BoxTestKernels box_tests;
   ContactKernels contacts;
+  GroundKernels ground;
 };
 
 /// The table of a width (1, 2, 4 or 8 lanes); null where the compiler was not allowed that width's instructions. The

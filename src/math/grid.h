@@ -36,7 +36,7 @@ using PositionGrid = Grid<36>;  ///< 1.5e-11 m, within ±32,768 m
 using VelocityGrid = Grid<38>;  ///< 3.6e-12 m/s or rad/s, within ±8,192
 using UnitGrid = Grid<48>;      ///< parts of unit vectors and weights, within ±8
 static_assert(PositionGrid::kMagic == kPlaceMagic && PositionGrid::kStep == kPlaceStep);
-static_assert(VelocityGrid::kMagic == kMotionMagic);
+static_assert(VelocityGrid::kMagic == kMotionMagic && UnitGrid::kMagic == kUnitMagic);
 
 /// The largest power of two not above x, read from the exponent bits. Scales a grid to a range.
 /// 0 for 0. Precondition: x >= 0, not subnormal.

@@ -82,6 +82,20 @@ Meeting meeting_of(const Encounter& met, const Response& a, const Response& b) {
 
 }  // namespace
 
+PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
+  const Bodies& bodies = state.bodies;
+  const WorldDef& def = state.def;
+  const bool ground = b == kGround;
+  const Material& under = def.ground_material;
+  const double friction = ground ? under.friction : bodies.friction[b];
+  const double dynamic = ground ? under.friction_dynamic : bodies.friction_dynamic[b];
+  const double restitution = ground ? under.restitution : bodies.restitution[b];
+  const double product = bodies.friction[a] * friction, product_dynamic = bodies.friction_dynamic[a] * dynamic;
+  const double mean = std::sqrt(product);
+  return {mean, product_dynamic == product ? mean : std::sqrt(product_dynamic),
+          std::max(bodies.restitution[a], restitution), def.slip_speed};
+}
+
 Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse, const Vec3& twist) {
   if (body.inverse_mass == 0) return Vec3::Zero();
   const Vec3 turn = to_body(body.axes, cross(body.r, impulse) + twist);

@@ -5,7 +5,9 @@
 
 #include "src/thesis/contact_body.h"
 #include "src/world/phase_scratch.h"
+#include "tumble/sim/ids.h"
 #include "tumble/sim/vec.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 
@@ -19,6 +21,9 @@ struct Collision {
   Vec3 turn_b = Vec3::Zero();    ///< of b
   bool resting = false;          ///< of a patch that approaches by at most twice what gravity added
 };
+
+/// The material of a contact; b may be kGround.
+PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b);
 
 /// How two bodies meet. Reads of the masses only whether they are finite, so it holds for any parts of them
 /// (split_mass.h). normal: unit, from a to b; corners: of the patch. Of bodies that part only `approach` is written.

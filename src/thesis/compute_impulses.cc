@@ -5,8 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/thesis/collision_impulse.h"
+#include "src/thesis/ground/ground_collisions.h"
+#include "src/thesis/ground/ground_points.h"
 #include "src/thesis/split_mass.h"
 #include "src/world/body_check.h"
 #include "src/world/hash_on_the_way.h"
@@ -31,20 +34,6 @@ void take_body(const WorldState& state, const Scratch& scratch, BodyIndex i, con
   body.gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
 }
 
-PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
-  const Bodies& bodies = state.bodies;
-  const WorldDef& def = state.def;
-  const bool ground = b == kGround;
-  const Material& under = def.ground_material;
-  const double friction = ground ? under.friction : bodies.friction[b];
-  const double dynamic = ground ? under.friction_dynamic : bodies.friction_dynamic[b];
-  const double restitution = ground ? under.restitution : bodies.restitution[b];
-  const double product = bodies.friction[a] * friction, product_dynamic = bodies.friction_dynamic[a] * dynamic;
-  const double mean = std::sqrt(product);
-  return {mean, product_dynamic == product ? mean : std::sqrt(product_dynamic),
-          std::max(bodies.restitution[a], restitution), def.slip_speed};
-}
-
 // The corners that touch in contact k, from the collision point.
 std::span<const Vec3> patch_of(const Contacts& contacts, std::size_t k) {
   const std::uint32_t begin = k == 0 ? 0 : contacts.patch_end[k - 1];
@@ -61,10 +50,9 @@ struct Side {
   std::uint8_t hit;
 };
 
-// How a collision hits its bodies, for Scratch::hit.
-std::uint8_t hit_of(const SplitScratch& split, std::size_t k, const Collision& collision) {
-  const bool fully = split.materials[k].restitution == 1;
-  return static_cast<std::uint8_t>((collision.resting ? 0 : kHit) + (fully ? kBouncesFully : 0));
+// How a collision hits its bodies, for Scratch::hit. fully: with restitution 1.
+std::uint8_t hit_of(bool resting, bool fully) {
+  return static_cast<std::uint8_t>((resting ? 0 : kHit) + (fully ? kBouncesFully : 0));
 }
 
 // Finds the outcome of a collision for one body. At rest friction acts evenly throughout the sub-step, as gravity does:
@@ -81,17 +69,32 @@ void find_gain(const Bodies& bodies, const BoxFrame& frame, const Side& side, co
   gain.way_back = PositionGrid::round(Vec3(slowed * (0.5 * dt_s)));
 }
 
+// Adds an outcome to the sum of its body. Returns whether outcome and sum are small enough; beyond() tells of those
+// that are not.
+bool add_gain(Scratch& scratch, const Side& side, bool resting) {
+  SplitScratch& split = scratch.split;
+  split.changed[side.body] = 1;
+  scratch.hit[side.body] |= side.hit;
+  const Gain& gain = split.gains[side.row];
+  Gain& sum = split.sums[side.body];
+  sum.velocity += gain.velocity;
+  sum.spin += gain.spin;
+  if (resting) sum.way_back += gain.way_back;
+  sum.largest += gain.largest;
+  return magnitudes(gain.velocity) + magnitudes(gain.spin) <= kSpeedMax && sum.largest <= kGainTotalMax;
+}
+
 // Finds the outcome of a collision for one body, its energy if the body has several contacts (split_mass.h), and adds
-// it to the sum of the body. Returns whether outcome and sum are small enough; beyond() tells of those that are not.
+// it to the sum of the body.
 bool add_outcome(const Bodies& bodies, Scratch& scratch, const Side& side, const Collision& collision, double dt_s) {
   const BodyIndex i = side.body;
   SplitScratch& split = scratch.split;
   Gain& gain = split.gains[side.row];
   double& energy = split.energy[side.row];
   energy = 0;
-  split.changed[i] = 1;
-  scratch.hit[i] |= side.hit;
   if (bodies.inverse_mass[i] == 0) {
+    split.changed[i] = 1;
+    scratch.hit[i] |= side.hit;
     gain = {};
     return true;
   }
@@ -100,12 +103,7 @@ bool add_outcome(const Bodies& bodies, Scratch& scratch, const Side& side, const
   if (split.contacts[i] > 1) {
     energy = bodies.mass[i] * dot(gain.velocity, gain.velocity) + dot(side.turn, turning);
   }
-  Gain& sum = split.sums[i];
-  sum.velocity += gain.velocity;
-  sum.spin += gain.spin;
-  if (collision.resting) sum.way_back += gain.way_back;
-  sum.largest += gain.largest;
-  return magnitudes(gain.velocity) + magnitudes(gain.spin) <= kSpeedMax && sum.largest <= kGainTotalMax;
+  return add_gain(scratch, side, collision.resting);
 }
 
 // The error of a gain or a sum that may be too large, if it is.
@@ -139,17 +137,10 @@ class Collisions {
 
   // From the velocities before all collisions, with the whole mass of each body.
   Collision first(std::size_t k) {
-    const Contacts& contacts = scratch_.contacts;
-    const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    const Vec3 normal = contacts.normal[k];
-    const std::span<const Vec3> patch = patch_of(contacts, k);
-    PairMaterial& material = scratch_.split.materials[k];
-    Encounter& met = scratch_.split.encounters[k];
-    material = pair_material(state_, a, b);
-    take_bodies(k);
-    const ContactBody& on_b = b == kGround ? on_ground_ : on_b_;
-    find_encounter(on_a_, on_b, normal, material, patch.size(), met);
-    return collide(on_a_, on_b, normal, material, met, patch);
+    meet(k);
+    const SplitScratch& split = scratch_.split;
+    return collide(on_a_, on_b_of(k), scratch_.contacts.normal[k], split.materials[k], split.encounters[k],
+                   patch_of(scratch_.contacts, k));
   }
 
   // With as many parts of the bodies as there are now.
@@ -157,6 +148,7 @@ class Collisions {
     const Contacts& contacts = scratch_.contacts;
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const Vec3 normal = contacts.normal[k];
+    if (scratch_.split.met[k] == 0) meet(k);
     const PairMaterial& material = scratch_.split.materials[k];
     const Encounter& met = scratch_.split.encounters[k];
     if (met.approach >= 0) return {};
@@ -165,10 +157,25 @@ class Collisions {
       return collide_at_point(part_response(state_, scratch_, a), on_b, normal, material, met);
     }
     take_bodies(k);
-    return collide(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch_of(contacts, k));
+    return collide(on_a_, on_b_of(k), normal, material, met, patch_of(contacts, k));
   }
 
  private:
+  // Finds how the bodies of a contact meet, which no later round changes.
+  void meet(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    SplitScratch& split = scratch_.split;
+    split.met[k] = 1;
+    split.materials[k] = pair_material(state_, contacts.a[k], contacts.b[k]);
+    take_bodies(k);
+    find_encounter(on_a_, on_b_of(k), contacts.normal[k], split.materials[k], patch_of(contacts, k).size(),
+                   split.encounters[k]);
+  }
+
+  [[nodiscard]] const ContactBody& on_b_of(std::size_t k) const {
+    return scratch_.contacts.b[k] == kGround ? on_ground_ : on_b_;
+  }
+
   void take_bodies(std::size_t k) {
     const Contacts& contacts = scratch_.contacts;
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
@@ -188,17 +195,37 @@ class Collisions {
   const ContactBody on_ground_;
 };
 
+// Computes the collisions with the ground in lanes and adds their gains: add_collisions of the first round.
+Status collide_with_ground(const WorldState& state, Scratch& scratch, std::size_t begin, double dt_s) {
+  const Contacts& contacts = scratch.contacts;
+  SplitScratch& split = scratch.split;
+  kernels(scratch.lanes).ground.collide(ground_collisions(state, scratch, dt_s), begin, contacts.size());
+  for (std::size_t k = begin; k < contacts.size(); ++k) {
+    const BodyIndex a = contacts.a[k];
+    if (split.contacts[a] == 1) split.energy[2 * k] = 0;
+    const bool resting = split.resting[k] != 0;
+    const bool fully = std::max(state.bodies.restitution[a], state.def.ground_material.restitution) == 1;
+    const Side side = {a, 2 * k, Vec3::Zero(), -1, hit_of(resting, fully)};
+    if (add_gain(scratch, side, resting)) [[likely]]
+      continue;
+    if (Status ok = check_outcome(state.bodies, scratch, side); !ok.ok()) return ok;
+  }
+  return {};
+}
+
 // Computes the collisions of this round and adds their gains.
 Status add_collisions(const WorldState& state, Scratch& scratch, int round, double dt_s) {
   Contacts& contacts = scratch.contacts;
   SplitScratch& split = scratch.split;
   const Bodies& bodies = state.bodies;
   Collisions collisions(state, scratch, dt_s);
-  for (const std::uint32_t k : split.again) {
+  const bool in_lanes = round == 0 && kernels(scratch.lanes).ground.collide != nullptr;
+  const std::size_t singly = in_lanes ? ground_begin(contacts) : split.again.size();
+  for (const std::uint32_t k : std::span(split.again).first(singly)) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const Collision collision = round == 0 ? collisions.first(k) : collisions.again(k);
     contacts.impulse.set(k, collision.impulse);
-    const std::uint8_t hit = hit_of(split, k, collision);
+    const std::uint8_t hit = hit_of(collision.resting, split.materials[k].restitution == 1);
     const Side side_a = {a, 2 * k, collision.turn_a, -1, hit};
     if (!add_outcome(bodies, scratch, side_a, collision, dt_s)) [[unlikely]] {
       if (Status ok = check_outcome(bodies, scratch, side_a); !ok.ok()) return ok;
@@ -209,7 +236,7 @@ Status add_collisions(const WorldState& state, Scratch& scratch, int round, doub
       if (Status ok = check_outcome(bodies, scratch, side_b); !ok.ok()) return ok;
     }
   }
-  return {};
+  return in_lanes ? collide_with_ground(state, scratch, singly, dt_s) : Status{};
 }
 
 void reset_gains(Scratch& scratch, std::size_t bodies) {
@@ -226,6 +253,8 @@ void reset_gains(Scratch& scratch, std::size_t bodies) {
   scratch.split.energy.resize(2 * contacts.size());
   scratch.split.encounters.resize(contacts.size());
   scratch.split.materials.resize(contacts.size());
+  scratch.split.met.assign(contacts.size(), 0);
+  scratch.split.resting.resize(contacts.size());
 }
 
 void put_sums(Scratch& scratch) {

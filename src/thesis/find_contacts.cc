@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "src/collide/box_pair.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
+#include "src/thesis/ground/ground_points.h"
 
 namespace tumble::sim {
 namespace {
@@ -215,8 +217,10 @@ Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   Contacts& contacts = scratch.contacts;
   make_room(contacts, contacts.a.size());
   contacts.patch.clear();
+  const bool in_lanes = kernels(scratch.lanes).ground.find_points != nullptr;
+  const std::size_t singly = in_lanes ? ground_begin(contacts) : contacts.a.size();
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < contacts.a.size(); ++k) {
+  for (std::size_t k = 0; k < singly; ++k) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const std::uint16_t planes = contacts.planes[k];
     const BoxFrame& frame = scratch.frames[a];
@@ -237,6 +241,7 @@ Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
     contacts.patch_end[kept] = static_cast<std::uint32_t>(contacts.patch.size());
     ++kept;
   }
+  if (in_lanes) kept = find_ground_points(scratch, singly, kept);
   contacts.a.resize(kept);
   contacts.b.resize(kept);
   contacts.planes.resize(kept);

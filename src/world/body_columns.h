@@ -13,6 +13,12 @@ void put_pointers(Vec3Column& from, Double* (&to)[3]) {
   to[2] = from.z.data();
 }
 
+inline void put_pointers(const Vec3Column& from, const double* (&to)[3]) {
+  to[0] = from.x.data();
+  to[1] = from.y.data();
+  to[2] = from.z.data();
+}
+
 /// Pointers to the columns of bodies; valid until a column is resized.
 inline BodyColumns columns_of(Bodies& b) {
   return {b.frozen.data(),

@@ -106,8 +106,8 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {
   const FreezeScratch& f = s.freezing;
   parts.push_back({"contacts", GrowsWith::kContacts,
-                   held_by(s.contacts, s.split.gains, s.split.encounters, s.split.materials, s.split.energy,
-                           s.split.again, s.separation.wanted, f.carriers, f.found)});
+                   held_by(s.contacts, s.split.gains, s.split.encounters, s.split.materials, s.split.met,
+                           s.split.resting, s.split.energy, s.split.again, s.separation.wanted, f.carriers, f.found)});
   parts.push_back({"outcomes and freezing", GrowsWith::kBodies,
                    held_by(s.velocity_gain, s.spin_gain, s.split.sums, s.way_back, s.hit, s.displacement,
                            s.separation.start, s.split.parts, s.split.raised, s.split.changed, s.split.several,

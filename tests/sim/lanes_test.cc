@@ -176,12 +176,30 @@ TEST(Lanes, SessionsOfEveryWidthHaveTheSamePhaseHashes) {
   }
 }
 
+// 27 boxes that meet the ground, and nothing else, in all ways that a collision with the ground tells apart: flat and
+// aslant, fast and at rest, sliding, spinning about the vertical, without friction, fully elastic.
+SceneDef landings() {
+  SceneDef scene = test::on_ground();
+  test::Random random(11);
+  for (std::uint32_t k = 0; k < 27; ++k) {
+    BoxDef box = test::box(k + 1, {0.7, 0.5, 0.4}, {3.0 * k, 0.25 * k, 0.2 + 0.05 * (k % 4)});
+    if (k % 4 == 3) box.orientation = random.rotation();
+    if (k % 3 != 0) box.velocity = Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 0));
+    if (k % 5 != 0) box.spin = Vec3(0, 0, random.uniform(-3, 3));
+    if (k % 7 == 0) box.material.friction = box.material.friction_dynamic = 0;
+    if (k % 7 == 2) box.material.friction_dynamic = 0.1;
+    if (k % 8 == 5) box.material.restitution = 1;
+    scene.boxes.push_back(box);
+  }
+  return scene;
+}
+
 TEST(Lanes, SessionsOfMethodThesisLikewise) {
   SceneDef drag = test::tilted_grid(5);  // 25 bodies: three eights and one
   drag.world.air_drag = 0.3;
   SceneDef heap = test::pile(3);
   test::jitter(heap, 0.01, 7);
-  for (SceneDef thesis : {drag, heap, test::tumble_of_boxes(3, 3), test::plates_and_bars(4, 3)}) {
+  for (SceneDef thesis : {drag, heap, landings(), test::tumble_of_boxes(3, 3), test::plates_and_bars(4, 3)}) {
     thesis.world.method = Method::kThesis;
     thesis.world.substeps = 4;
     const std::vector<std::uint64_t> one = hashes_of(thesis, LaneWidth::kOne, 60);
