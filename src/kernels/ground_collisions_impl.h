@@ -35,7 +35,8 @@ LaneRest<V> find_rest(const LaneBody<V>& body, const LaneEncounter<V>& met, cons
   if (any(twists)) {
     m.radius = twists ? patch.radius(normal) : zero;
     m.twist_yield = twists ? weighted(rest.normal_of, rest.normal_of, body.inverse_inertia) : zero;
-    m.slow = m.slow & ((twists == 0) | (absolute(m.twist) * m.radius < slip_speed_max));
+    const V at_rim = absolute(m.twist) * m.radius;
+    m.slow = m.slow & ((twists == 0) | (at_rim < slip_speed_max));
   }
   rest.load = share_load(body, met, m, patch, normal, spin, rest.normal_of);
   rest.twist = m.twist;
@@ -62,7 +63,8 @@ LaneCollision<V> collide_at(const GroundCollisions& work, const LaneBody<V>& bod
   const LaneEncounter<V> met(body, normal, gained, work.slip_speed);
   LanePatch<V> patch(work, at);
   const MaskOf<V> meets = (met.approach >= 0.0) == 0;
-  const MaskOf<V> may_share = meets & (patch.counts() >= 3.0) & (met.approach >= 2.0 * dot(gained, normal));
+  const V corners = patch.counts(), fastest_at_rest = 2.0 * dot(gained, normal);
+  const MaskOf<V> may_share = meets & (corners >= 3.0) & (met.approach >= fastest_at_rest);
   const Space<V> spin = none - body.spin;
   LaneRest<V> rest = {};
   LaneCollision<V> result;

@@ -26,7 +26,7 @@ class LanePatch {
   void take_corners(const GroundCollisions& work, std::size_t at) {
     for (unsigned lane = 0; lane < kWidth; ++lane) {
       const unsigned begin = begin_of(work, at + lane), count = work.patch_end[at + lane] - begin;
-      for (unsigned k = 0; k < most_; ++k) {
+      for (unsigned k = 0; k < kCorners && k < most_; ++k) {
         const double* const from = work.patch + std::size_t{3} * (begin + (k < count ? k : 0));
         for (int axis = 0; axis < 3; ++axis) corner_[k][axis][lane] = from[axis];
       }
@@ -37,7 +37,7 @@ class LanePatch {
   [[nodiscard]] V radius(const Space<V>& normal) const {
     const V zero = V{} + 0.0, count = counts();
     V sum = zero;
-    for (unsigned k = 0; k < most_; ++k) {
+    for (unsigned k = 0; k < kCorners && k < most_; ++k) {
       const V distance = on_grid(length(along_plane(corner(k), normal)), kPlaceMagic);
       sum = sum + (count > static_cast<double>(k) ? distance : zero);
     }
@@ -48,8 +48,8 @@ class LanePatch {
   [[nodiscard]] MaskOf<V> reaches(const Space<V>& point, const Space<V>& normal) const {
     const Space<V> across = cross(normal, point);
     const V distance = dot(point, point);
-    V along[8], beside[8];
-    for (unsigned k = 0; k < most_; ++k) {
+    V along[kCorners], beside[kCorners];
+    for (unsigned k = 0; k < kCorners && k < most_; ++k) {
       along[k] = dot(corner(k), point);
       beside[k] = dot(corner(k), across);
     }
@@ -68,14 +68,15 @@ class LanePatch {
 
  private:
   static constexpr unsigned kWidth = sizeof(V) / sizeof(double);
+  static constexpr unsigned kCorners = 8;  // of a box; named in the loops, since compilers do not know it of most_
 
   static unsigned begin_of(const GroundCollisions& work, std::size_t k) { return k == 0 ? 0 : work.patch_end[k - 1]; }
   [[nodiscard]] Space<V> corner(unsigned k) const {
     return {load<V>(corner_[k][0]), load<V>(corner_[k][1]), load<V>(corner_[k][2])};
   }
 
-  alignas(64) double count_[kWidth];
-  alignas(64) double corner_[8][3][kWidth] = {};
+  alignas(64) double count_[kWidth] = {};
+  alignas(64) double corner_[kCorners][3][kWidth] = {};
   unsigned most_ = 0;
 };
 
@@ -159,7 +160,8 @@ LaneLoad<V> share_load(const LaneBody<V>& body, const LaneEncounter<V>& met, con
   const LaneInPlane<V> torque = {end.t + (end_normal.t * found.normal - end_friction.t * found.friction),
                                  end.u + (end_normal.u * found.normal - end_friction.u * found.friction)};
   const Space<V> shift = tilting.shift_of(torque, found.normal);
-  const MaskOf<V> inside = ((dot(shift, shift) > 0.0) == 0) | patch.reaches(shift, normal);
+  const MaskOf<V> moves = dot(shift, shift) > 0.0, reached = patch.reaches(shift, normal);
+  const MaskOf<V> inside = (moves == 0) | reached;
   LaneLoad<V> load;
   load.found = still | (approaches & inside);
   load.shift = chosen(still, none, on_grid(shift, kPlaceMagic));

@@ -106,7 +106,8 @@ struct LaneEncounter {
     const Space<V> slipping_before = slipping - pulling;
     const V speed = length(slipping);
     pull = rough ? length(pulling) : zero;
-    slow = rough & ((length(slipping_before) < slip_speed_max) | (dot(slipping_before, slipping) < 0.0));
+    const V speed_before = length(slipping_before), along = dot(slipping_before, slipping);
+    slow = rough & ((speed_before < slip_speed_max) | (along < 0.0));
     const auto slips = rough & (speed > kSlipLeast);
     slip = slips ? speed : zero;
     tangent = chosen(slips, divided(slipping, speed), none);
