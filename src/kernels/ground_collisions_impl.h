@@ -8,10 +8,11 @@
 namespace tumble::sim {
 namespace {
 
-// As Collision, of the impulse on the ground and of the body's turn.
+// As Collision, of the impulse on the ground and of the body's turn; and how they meet.
 template <class V>
 struct LaneCollision {
   Space<V> impulse, friction, turn;
+  V approach;
   MaskOf<V> resting;
 };
 
@@ -69,6 +70,7 @@ LaneCollision<V> collide_at(const GroundCollisions& work, const LaneBody<V>& bod
   LaneRest<V> rest = {};
   LaneCollision<V> result;
   LaneImpulses<V> impulses = {zero, zero, zero};
+  result.approach = met.approach;
   result.resting = zero != zero;
   if (any(may_share)) {
     patch.take_corners(work, at);
@@ -105,14 +107,17 @@ LaneCollision<V> collide_at(const GroundCollisions& work, const LaneBody<V>& bod
   return result;
 }
 
-// Writes the outcome for the body, which gets the opposite of the ground's.
+// Writes how the body meets the ground, and the outcome for the body, which gets the opposite of the ground's.
 template <class V>
 void collide_ground_at(const GroundCollisions& work, std::size_t at) {
-  constexpr unsigned kGainDoubles = 10;
+  constexpr unsigned kGainDoubles = GroundCollisions::kGainDoubles,
+                     kMaterialDoubles = GroundCollisions::kMaterialDoubles;
   constexpr unsigned kLanesHere = sizeof(V) / sizeof(double);
   const LaneBody<V> body(work, at);
   const LaneCollision<V> hit = collide_at(work, body, at);
   store_space(work.impulse, at, hit.impulse);
+  const V material[kMaterialDoubles] = {body.friction, body.friction_dynamic, body.restitution, V{} + work.slip_speed};
+  scatter4(work.materials + at * kMaterialDoubles, kMaterialDoubles, material);
   const V yield = -1.0 * body.inverse_mass, half_s = V{} + 0.5 * work.dt_s, opposite = V{} - 1.0, zero = V{} + 0.0;
   const Space<V> turning = scaled(hit.turn, body.inverse_inertia);
   const Space<V> velocity = on_grid(hit.impulse * yield, kMotionMagic);
@@ -126,11 +131,13 @@ void collide_ground_at(const GroundCollisions& work, std::size_t at) {
   double* const gains = work.gains + 2 * at * kGainDoubles;
   constexpr unsigned kFirst[] = {0, 4, 6};  // the last four overlap the four before
   for (const unsigned first : kFirst) scatter4(gains + first, 2 * kGainDoubles, row + first);
-  alignas(64) double energy[kLanesHere], resting[kLanesHere];
+  alignas(64) double energy[kLanesHere], approach[kLanesHere], resting[kLanesHere];
   store(energy, body.mass * dot(velocity, velocity) + dot(hit.turn, turning));
+  store(approach, hit.approach);
   store(resting, hit.resting ? V{} + 1.0 : zero);
   for (unsigned lane = 0; lane < kLanesHere; ++lane) {
     work.energy[2 * (at + lane)] = energy[lane];
+    work.approach[(at + lane) * GroundCollisions::kEncounterDoubles] = approach[lane];
     work.resting[at + lane] = resting[lane] != 0 ? 1 : 0;
   }
 }

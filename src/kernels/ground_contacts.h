@@ -23,6 +23,8 @@ struct GroundPoints {
 
 /// Collisions of moving bodies with the ground, each body with its whole mass and in one collision with the ground.
 struct GroundCollisions {
+  static constexpr unsigned kGainDoubles = 10, kMaterialDoubles = 4, kEncounterDoubles = 22;  ///< of rows
+
   // By body.
   const double* frames = nullptr;  ///< rows of BoxFrame
   const double *velocity[3] = {}, *spin[3] = {}, *mass = nullptr, *inverse_mass = nullptr, *inverse_inertia[3] = {};
@@ -40,6 +42,8 @@ struct GroundCollisions {
   double* impulse[3] = {};          ///< N·s, on the ground
   double* gains = nullptr;          ///< rows of Gain, of every second row
   double* energy = nullptr;         ///< J, twice, of every second row: of the gain alone
+  double* materials = nullptr;      ///< rows of PairMaterial
+  double* approach = nullptr;       ///< m/s, in rows of Encounter
   std::uint8_t* resting = nullptr;  ///< as in Collision
 };
 

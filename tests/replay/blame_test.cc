@@ -148,6 +148,17 @@ TEST(Blame, FrictionStopsASlide) {
   expect_exact_sums(found);
 }
 
+TEST(Blame, TellsHowABodyOfMethodThesisMeetsTheGround) {
+  sim::SceneDef scene = on_ground(Method::kThesis, {moving(test::cube(1, {0, 0, 0.505}), {0, 0, -3})}, 3);
+  scene.world.ground_material = {0.9, 0.9, 0};
+  scene.boxes[0].material = {0.4, 0.4, 0.25};
+  const Blame found = blame_of(scene, {1, "velocity.z", 1, 6});
+  const auto meeting = std::ranges::find(found.answers, "approach", &BlameAnswer::value);
+  ASSERT_NE(meeting, found.answers.end()) << story(found);
+  EXPECT_NEAR(std::get<double>(meeting->after), -3, 0.2) << story(found);
+  EXPECT_NE(story(found).find("friction 0.6, restitution 0.25"), std::string::npos) << story(found);
+}
+
 TEST(Blame, OverlapsArePartedByTheirContact) {
   sim::SceneDef scene = floating(Method::kLayered, {}, 3);
   scene.boxes.push_back(test::cube(2, {0.9, 0, 5}));

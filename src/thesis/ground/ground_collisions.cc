@@ -1,5 +1,7 @@
 #include "src/thesis/ground/ground_collisions.h"
 
+#include <cstddef>
+
 #include "src/math/grid.h"
 #include "src/world/body_columns.h"
 
@@ -32,9 +34,13 @@ GroundCollisions ground_collisions(const WorldState& state, Scratch& scratch, do
   work.patch = doubles_of(contacts.patch).data();
   work.patch_end = contacts.patch_end.data();
   put_pointers(contacts.impulse, work.impulse);
-  static_assert(sizeof(Gain) == 10 * sizeof(double));
+  static_assert(sizeof(Gain) == GroundCollisions::kGainDoubles * sizeof(double));
+  static_assert(sizeof(PairMaterial) == GroundCollisions::kMaterialDoubles * sizeof(double));
+  static_assert(sizeof(Encounter) == GroundCollisions::kEncounterDoubles * sizeof(double));
   work.gains = reinterpret_cast<double*>(split.gains.data());
   work.energy = split.energy.data();
+  work.materials = reinterpret_cast<double*>(split.materials.data());
+  work.approach = reinterpret_cast<double*>(split.encounters.data()) + offsetof(Encounter, approach) / sizeof(double);
   work.resting = split.resting.data();
   return work;
 }
