@@ -29,8 +29,9 @@ Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
       state.def.gravity / -length(state.def.gravity);  // not a number without gravity: never read then
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (scratch.touched[i] == 0 || bodies.is_static[i] != 0) continue;
-    Vec3 velocity = plus_zero(bodies.velocity[i] + scratch.velocity_gain[i]), position = bodies.position[i];
-    Vec3 spin = plus_zero(bodies.spin[i] + scratch.spin_gain[i]);
+    const Gain& gain = scratch.gains[i];
+    Vec3 velocity = plus_zero(bodies.velocity[i] + gain.velocity), position = bodies.position[i];
+    Vec3 spin = plus_zero(bodies.spin[i] + gain.spin);
     if (bodies.moves(i)) {
       if (!within(velocity, kSpeedMax)) {  // the grid of the lift ends there
         bodies.velocity.set(i, velocity);
@@ -44,7 +45,7 @@ Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
       if ((scratch.hit[i] & kBouncesFully) != 0 && cost.unpaid > 0) {
         scratch.removed_energy += pay_by_rotation(bodies, scratch.frames[i], i, cost.unpaid, spin);
       }
-      position = plus_zero(position + (displacement + scratch.way_back[i]));
+      position = plus_zero(position + (displacement + gain.way_back));
       bodies.position.set(i, position);
     }
     bodies.velocity.set(i, velocity);

@@ -10,7 +10,7 @@ namespace tumble::sim {
 /// Applies all stored outcomes at one time (thesis III.C). Impulses change the velocities of all bodies, frozen ones
 /// included (update_freezing decides whether these escape); displacements change the positions of bodies that move. A
 /// body that a displacement lifts loses vertical speed for the height.
-/// Reads:  velocity_gain, spin_gain, displacement, way_back, touched, hit; gravity
+/// Reads:  gains, displacement, touched, hit; gravity
 /// Writes: velocity, spin, position; removed_energy
 /// Errors: a body that is not finite or beyond limits.h
 /// Source: thesis III.E: the potential energy of the displacement is removed from the vertical part of the kinetic

@@ -50,8 +50,9 @@ struct Side {
   std::uint8_t hit;
 };
 
-// How a collision hits its bodies, for Scratch::hit. fully: with restitution 1.
-std::uint8_t hit_of(bool resting, bool fully) {
+// How a collision hits its bodies, for Scratch::hit.
+std::uint8_t hit_of(const SplitScratch& split, std::size_t k, bool resting) {
+  const bool fully = split.materials[k].restitution == 1;
   return static_cast<std::uint8_t>((resting ? 0 : kHit) + (fully ? kBouncesFully : 0));
 }
 
@@ -76,7 +77,7 @@ bool add_gain(Scratch& scratch, const Side& side, bool resting) {
   split.changed[side.body] = 1;
   scratch.hit[side.body] |= side.hit;
   const Gain& gain = split.gains[side.row];
-  Gain& sum = split.sums[side.body];
+  Gain& sum = scratch.gains[side.body];
   sum.velocity += gain.velocity;
   sum.spin += gain.spin;
   if (resting) sum.way_back += gain.way_back;
@@ -110,22 +111,23 @@ bool add_outcome(const Bodies& bodies, Scratch& scratch, const Side& side, const
 Status check_outcome(const Bodies& bodies, const Scratch& scratch, const Side& side) {
   const Gain& gain = scratch.split.gains[side.row];
   if (Status ok = check_gain(bodies, side.body, gain.velocity, gain.spin); !ok.ok()) return ok;
-  return check_gains(bodies, side.body, scratch.split.sums[side.body].largest);
+  return check_gains(bodies, side.body, scratch.gains[side.body].largest);
 }
 
 // Sums of grid doubles are exact: a gain taken back leaves what the other gains add up to.
-void take_back(SplitScratch& split, BodyIndex i, const Gain& gain) {
-  Gain& sum = split.sums[i];
+void take_back(Gain& sum, const Gain& gain) {
   sum.velocity -= gain.velocity;
   sum.spin -= gain.spin;
   sum.way_back -= gain.way_back;
   sum.largest -= gain.largest;
 }
 
-void take_back_gains(const Contacts& contacts, SplitScratch& split) {
+void take_back_gains(Scratch& scratch) {
+  const Contacts& contacts = scratch.contacts;
+  const SplitScratch& split = scratch.split;
   for (const std::uint32_t k : split.again) {
-    take_back(split, contacts.a[k], split.gains[2 * k]);
-    if (contacts.b[k] != kGround) take_back(split, contacts.b[k], split.gains[2 * k + 1]);
+    take_back(scratch.gains[contacts.a[k]], split.gains[2 * k]);
+    if (contacts.b[k] != kGround) take_back(scratch.gains[contacts.b[k]], split.gains[2 * k + 1]);
   }
 }
 
@@ -204,8 +206,7 @@ Status collide_with_ground(const WorldState& state, Scratch& scratch, std::size_
     const BodyIndex a = contacts.a[k];
     if (split.contacts[a] == 1) split.energy[2 * k] = 0;
     const bool resting = split.resting[k] != 0;
-    const bool fully = std::max(state.bodies.restitution[a], state.def.ground_material.restitution) == 1;
-    const Side side = {a, 2 * k, Vec3::Zero(), -1, hit_of(resting, fully)};
+    const Side side = {a, 2 * k, Vec3::Zero(), -1, hit_of(split, k, resting)};
     if (add_gain(scratch, side, resting)) [[likely]]
       continue;
     if (Status ok = check_outcome(state.bodies, scratch, side); !ok.ok()) return ok;
@@ -225,7 +226,7 @@ Status add_collisions(const WorldState& state, Scratch& scratch, int round, doub
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const Collision collision = round == 0 ? collisions.first(k) : collisions.again(k);
     contacts.impulse.set(k, collision.impulse);
-    const std::uint8_t hit = hit_of(collision.resting, split.materials[k].restitution == 1);
+    const std::uint8_t hit = hit_of(split, k, collision.resting);
     const Side side_a = {a, 2 * k, collision.turn_a, -1, hit};
     if (!add_outcome(bodies, scratch, side_a, collision, dt_s)) [[unlikely]] {
       if (Status ok = check_outcome(bodies, scratch, side_a); !ok.ok()) return ok;
@@ -241,12 +242,16 @@ Status add_collisions(const WorldState& state, Scratch& scratch, int round, doub
 
 void reset_gains(Scratch& scratch, std::size_t bodies) {
   const Contacts& contacts = scratch.contacts;
-  scratch.split.sums.assign(bodies, Gain{});
+  scratch.gains.resize(bodies);
   scratch.hit.assign(bodies, 0);
   scratch.touched.assign(bodies, 0);
-  for (const BodyIndex i : contacts.a) scratch.touched[i] = 1;
+  const auto touch = [&](BodyIndex i) {
+    scratch.touched[i] = 1;
+    scratch.gains[i] = {};
+  };
+  for (const BodyIndex i : contacts.a) touch(i);
   for (const BodyIndex i : contacts.b) {
-    if (i != kGround) scratch.touched[i] = 1;
+    if (i != kGround) touch(i);
   }
   scratch.contacts.impulse.resize(contacts.size());
   scratch.split.gains.resize(2 * contacts.size());
@@ -257,16 +262,6 @@ void reset_gains(Scratch& scratch, std::size_t bodies) {
   scratch.split.resting.resize(contacts.size());
 }
 
-void put_sums(Scratch& scratch) {
-  const std::vector<Gain>& sums = scratch.split.sums;
-  for (Vec3Column* sum : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) sum->resize(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    scratch.velocity_gain.set(i, sums[i].velocity);
-    scratch.spin_gain.set(i, sums[i].spin);
-    scratch.way_back.set(i, sums[i].way_back);
-  }
-}
-
 }  // namespace
 
 Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
@@ -275,9 +270,8 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
   for (int round = 0;; ++round) {
     if (Status ok = add_collisions(state, scratch, round, dt_s); !ok.ok()) return ok;
     if (!raise_parts(state, scratch, round)) break;
-    take_back_gains(scratch.contacts, scratch.split);
+    take_back_gains(scratch);
   }
-  put_sums(scratch);
   return {};
 }
 
@@ -285,9 +279,8 @@ void hash_compute_impulses(const WorldState& /*state*/, const Scratch& scratch, 
   const Vec3Column& impulse = scratch.contacts.impulse;
   for (const auto* column : {&impulse.x, &impulse.y, &impulse.z}) hasher.add(std::span<const double>(*column));
   add_touched(scratch, hasher, [&](GatheredNumbers& numbers, BodyIndex i) {
-    for (const Vec3Column* gain : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
-      numbers.add(Vec3((*gain)[i]));
-    }
+    const Gain& gain = scratch.gains[i];
+    for (const Vec3& part : {gain.velocity, gain.spin, gain.way_back}) numbers.add(part);
   });
   hasher.add(std::span<const std::uint8_t>(scratch.touched));
   hasher.add(std::span<const std::uint8_t>(scratch.hit));

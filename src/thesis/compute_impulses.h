@@ -9,7 +9,7 @@ namespace tumble::sim {
 
 /// Computes the impulse of every collision from the velocities before all collisions; applies none (thesis III.C).
 /// Reads:  contacts; velocity, spin, orientation (through frames), masses, material
-/// Writes: contacts.impulse; velocity_gain, spin_gain, way_back, hit, touched
+/// Writes: contacts.impulse; gains, hit, touched
 /// Errors: a gain that is not finite or beyond limits.h; gains of a body that together are beyond kGainTotalMax
 /// Order:  each gain is rounded to the velocity grid, so their sums are exact in any order
 /// Source: thesis III.B, eq. 3.1 and Coulomb friction (collision_impulse.h). Differs: where several collisions of a

@@ -39,13 +39,22 @@ void collect(const Bodies& bodies, const Contacts& contacts, SeparationScratch& 
                         [&](BodyIndex i, const Displacement& wanted) { own.wanted[--own.start[i]] = wanted; });
 }
 
+// Writes no displacement for every body in a contact.
+void stay_where_they_are(const Contacts& contacts, Vec3Column& displacement) {
+  for (const BodyIndex i : contacts.a) displacement.set(i, Vec3::Zero());
+  for (const BodyIndex i : contacts.b) {
+    if (i != kGround) displacement.set(i, Vec3::Zero());
+  }
+}
+
 }  // namespace
 
 Status compute_separation(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   const std::size_t n = state.bodies.size();
   SeparationScratch& own = scratch.separation;
   collect(state.bodies, scratch.contacts, own);
-  scratch.displacement.assign(n, Vec3::Zero());
+  scratch.displacement.resize(n);
+  stay_where_they_are(scratch.contacts, scratch.displacement);
   for (BodyIndex i = 0; i < n; ++i) {
     const std::size_t count = own.start[i + 1] - own.start[i];
     if (count == 0) continue;

@@ -23,7 +23,8 @@ void find_energies_together(const WorldState& state, Scratch& scratch) {
     if (split.changed[i] == 0) continue;
     split.count[i] = 0;
     split.sum[i] = 0;
-    split.together[i] = gain_energy(state.bodies, scratch.frames[i], i, split.sums[i].velocity, split.sums[i].spin);
+    split.together[i] =
+        gain_energy(state.bodies, scratch.frames[i], i, scratch.gains[i].velocity, scratch.gains[i].spin);
     // As many terms as contacts, each below twice the power of two, are exact on this grid.
     split.magic[i] = power_of_two(split.together[i]) * (3.0 * static_cast<double>(std::bit_ceil(split.contacts[i])));
   }

@@ -23,7 +23,7 @@ void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& spl
 
 /// Raises the number of parts of every body that needs more, and returns whether there was any: then split.again lists
 /// its collisions, whose impulses have to be computed again. After a few rounds the number of collisions is taken,
-/// which is always enough. Reads:  contacts.a, b; split.sums, energy, changed; masses, frames
+/// which is always enough. Reads:  contacts.a, b; gains; split.energy, changed; masses, frames
 /// Writes: split.parts, raised, again
 /// Order:  each sum of energies is exact on a grid that the energy of all gains together chooses
 bool raise_parts(const WorldState& state, Scratch& scratch, int round);

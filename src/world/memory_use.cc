@@ -109,10 +109,9 @@ void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {
                    held_by(s.contacts, s.split.gains, s.split.encounters, s.split.materials, s.split.met,
                            s.split.resting, s.split.energy, s.split.again, s.separation.wanted, f.carriers, f.found)});
   parts.push_back({"outcomes and freezing", GrowsWith::kBodies,
-                   held_by(s.velocity_gain, s.spin_gain, s.split.sums, s.way_back, s.hit, s.displacement,
-                           s.separation.start, s.split.parts, s.split.raised, s.split.changed, s.split.several,
-                           s.split.contacts, s.split.count, s.split.together, s.split.sum, s.split.magic, s.touched,
-                           f.ready, f.candidates, f.frozen_before, f.merged)});
+                   held_by(s.gains, s.hit, s.displacement, s.separation.start, s.split.parts, s.split.raised,
+                           s.split.changed, s.split.several, s.split.contacts, s.split.count, s.split.together,
+                           s.split.sum, s.split.magic, s.touched, f.ready, f.candidates, f.frozen_before, f.merged)});
   parts.push_back({"put back after a trial", GrowsWith::kBodies, held_inside(s.saved)});
 }
 

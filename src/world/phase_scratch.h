@@ -69,10 +69,9 @@ struct Encounter {
 struct SplitScratch {
   std::vector<Encounter> encounters;    ///< by contact
   std::vector<PairMaterial> materials;  ///< by contact
-  std::vector<std::uint8_t> met;        ///< by contact, whether encounter and material are known
+  std::vector<std::uint8_t> met;        ///< by contact, whether all of the encounter is known, not the approach alone
   std::vector<std::uint8_t> resting;    ///< by contact with the ground, as in Collision, where a kernel found it
   std::vector<Gain> gains;              ///< by contact, of a and of b
-  std::vector<Gain> sums;               ///< by body
   std::vector<std::uint32_t> again;     ///< contacts that this round computes
   std::vector<double> parts;            ///< by body, >= 1: its mass is divided by this
   std::vector<std::uint8_t> raised;     ///< by body, whether the last round raised the number of parts

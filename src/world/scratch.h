@@ -227,10 +227,8 @@ struct Scratch {
   SweepScratch sweep;
   std::vector<std::uint16_t> old_planes;  ///< by pair, before find_planes; written by find_pairs
   Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
-  Vec3Column velocity_gain;               ///< by body, sum of outcomes, m/s; written by compute_impulses
-  Vec3Column spin_gain;                   ///< by body, sum of outcomes, rad/s; written by compute_impulses
-  Vec3Column way_back;                    ///< by body, sum, m, that friction takes back; written by compute_impulses
-  Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
+  std::vector<Gain> gains;                ///< by touched body, sum of its outcomes; written by compute_impulses
+  Vec3Column displacement;                ///< by touched body, merged, m; written by compute_separation
   std::vector<std::uint8_t> hit;          ///< by body, kHit and kBouncesFully; written by compute_impulses
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.

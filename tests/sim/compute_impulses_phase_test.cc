@@ -53,9 +53,9 @@ TEST(ComputeImpulses, MomentumAndAngularMomentumAreConserved) {
   double size = 0;
   for (sim::BodyIndex i = 0; i < 2; ++i) {
     const sim::Bodies& bodies = world.bodies();
-    const Vec3 p = world.scratch().velocity_gain[i] * bodies.mass[i];
+    const Vec3 p = world.scratch().gains[i].velocity * bodies.mass[i];
     const sim::Axes axes = axes_of(bodies.orientation[i]);
-    const Vec3 spin_B = to_body(axes, world.scratch().spin_gain[i]);
+    const Vec3 spin_B = to_body(axes, world.scratch().gains[i].spin);
     momentum += p;
     angular += bodies.position[i].cross(p) + to_world(axes, spin_B.cwiseProduct(bodies.inertia[i]));
     size += p.norm();
@@ -122,7 +122,7 @@ TEST(ComputeImpulses, OutcomesAreComputedBeforeAnyIsApplied) {
   const Vec3 left = world.scratch().contacts.impulse[0], right = world.scratch().contacts.impulse[1];
   EXPECT_GT(left.x(), 0.5);
   EXPECT_EQ(left.x(), right.x());
-  EXPECT_EQ(world.scratch().velocity_gain.x[1], 0) << "equal and opposite";
+  EXPECT_EQ(world.scratch().gains[1].velocity.x(), 0) << "equal and opposite";
 }
 
 }  // namespace

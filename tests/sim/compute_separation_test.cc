@@ -176,10 +176,8 @@ TEST(ApplyOutcomes, AppliesGainsAndDisplacementToMovingBodiesOnly) {
   scene.boxes[2].is_static = true;
   World world = made(scene);
   sim::Scratch& scratch = world.mutable_scratch();
-  scratch.velocity_gain.assign(3, {1, 2, 3});
-  scratch.spin_gain.assign(3, {4, 5, 6});
+  scratch.gains.assign(3, {{1, 2, 3}, {4, 5, 6}, {-0.25, 0, 0}});
   scratch.displacement.assign(3, {0.5, 0.25, 0.125});
-  scratch.way_back.assign(3, {-0.25, 0, 0});
   scratch.touched = {1, 1, 1};
   scratch.hit = {1, 1, 1};
   ASSERT_TRUE(test::run_phase(sim::apply_outcomes, world, 0).ok());
@@ -203,9 +201,7 @@ TEST(ApplyOutcomes, SlidingPaysNothingForALiftOffTheSlope) {
     scene.boxes[0].velocity = {2, 0, 0};
     World world = made(scene);
     sim::Scratch& scratch = world.mutable_scratch();
-    for (sim::Vec3Column* column : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
-      column->assign(1, Vec3::Zero());
-    }
+    scratch.gains.assign(1, {});
     scratch.displacement.assign(1, {0, 0, 0.0625});
     scratch.touched = {1};
     scratch.hit = {hit ? std::uint8_t{1} : std::uint8_t{0}};
