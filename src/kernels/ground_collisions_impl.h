@@ -71,7 +71,7 @@ LaneCollision<V> collide_at(const GroundCollisions& work, const LaneBody<V>& bod
   LaneCollision<V> result;
   LaneImpulses<V> impulses = {zero, zero, zero};
   result.approach = met.approach;
-  result.resting = zero != zero;
+  result.resting = MaskOf<V>{};
   if (any(may_share)) {
     patch.take_corners(work, at);
     rest = find_rest(body, met, patch, normal, spin, work.slip_speed);

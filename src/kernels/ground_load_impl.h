@@ -53,7 +53,7 @@ class LanePatch {
       along[k] = dot(corner(k), point);
       beside[k] = dot(corner(k), across);
     }
-    MaskOf<V> reached = V{} != V{};
+    MaskOf<V> reached = MaskOf<V>{};
     for (unsigned p = 0; p < most_; ++p) {
       for (unsigned q = 0; q < most_; ++q) {
         const V px = along[p], py = beside[p], qx = along[q], qy = beside[q];
@@ -132,7 +132,7 @@ LaneLoad<V> share_load(const LaneBody<V>& body, const LaneEncounter<V>& met, con
   const V zero = V{} + 0.0;
   const Space<V> none = {zero, zero, zero};
   Space<V> tangent = met.tangent;
-  MaskOf<V> slipless = meeting.slip == 0.0, still = zero != zero;
+  MaskOf<V> slipless = meeting.slip == 0.0, still = MaskOf<V>{};
   LaneImpulses<V> at_rest = {zero, zero, zero};
   if (any(slipless)) {
     at_rest = impulses_of(meeting, met.pull, body, true);
