@@ -287,7 +287,7 @@ void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
   // A point without a mass takes no part in a bounce (find_fast_contacts).
   for (unsigned k = 0; k < batch.count; ++k) {
     Lanes& mass = m.points[k].mass;
-    m.set(mass, turned & (masses[k] != 0.0) ? m.get(mass) : masses[k]);
+    m.set(mass, (turned & (masses[k] != 0.0)) ? m.get(mass) : masses[k]);
   }
 }
 
