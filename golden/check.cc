@@ -61,7 +61,7 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   }
   if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
   result.facts = facts_of_run(*suite, *all, mine, options.require, options.pool.timeout_s);
-  if (options.heavy) result.facts.options.emplace_back("heavy", "yes");
+  if (options.heavy) result.facts.options.emplace_back("heavy", kGiven);
   const TemporaryFolder scratch("tumble-check");  // a case that takes too long cannot remove its own files
   const RunOptions run = {.suite = options.suite,
                           .require = options.require,

@@ -50,7 +50,9 @@ std::string label(const Bundle& bundle) {
 std::string options_text(const Manifest& manifest) {
   std::string text;
   for (const auto& [name, value] : manifest.facts.options) {
-    if (!value.empty()) text.append(text.empty() ? "--" : " --").append(name).append(1, ' ').append(value);
+    if (value.empty()) continue;
+    text.append(text.empty() ? "--" : " --").append(name);
+    if (value != kGiven) text.append(1, ' ').append(value);
   }
   return text;
 }

@@ -64,7 +64,8 @@ std::string to_text(const Batch& batch) {
                {"refused", batch.refused}, {"refusal", batch.refusal}, {"tallies", Json::array()},
                {"findings", Json::array()}};
   for (const Tally& one : batch.tallies) {
-    json["tallies"].push_back({one.held, one.broken, one.not_applicable, one.nearest, one.nearest_number});
+    json["tallies"].push_back(
+        {one.held, one.broken, one.not_applicable, one.nearest ? Json(*one.nearest) : Json(), one.nearest_number});
   }
   for (const Finding& one : batch.findings) json["findings"].push_back(to_json(one));
   json["features"] = batch.features;
@@ -81,7 +82,9 @@ Result<Batch> batch_from(const std::string& text) {
     batch.refused = json.at("refused");
     batch.refusal = json.at("refusal");
     for (const Json& one : json.at("tallies")) {
-      batch.tallies.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
+      const Json& nearest = one.at(3);
+      batch.tallies.push_back({one.at(0), one.at(1), one.at(2),
+                               nearest.is_null() ? std::nullopt : std::optional(nearest.get<double>()), one.at(4)});
     }
     for (const Json& one : json.at("findings")) batch.findings.push_back(finding_from(one));
     batch.features = json.at("features").get<decltype(batch.features)>();

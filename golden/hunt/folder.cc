@@ -17,6 +17,15 @@ namespace {
 constexpr const char* kFindings = "findings";
 constexpr int kFormat = 2;
 
+Tally tally_from(const Json& row) {
+  Tally tally{row.at("held"), row.at("broken"), row.at("not_applicable"), std::nullopt, 0};
+  // Null: no scene that held has a bound. 0 in both, of hunts kept by programs that knew no null, says that too.
+  const Json &nearest = row.at("nearest"), &number = row.at("nearest_number");
+  if (nearest.is_number() && (nearest != 0 || number != 0)) tally.nearest = nearest;
+  if (number.is_number()) tally.nearest_number = number;
+  return tally;
+}
+
 HuntState state_from(const Json& json) {
   HuntState state;
   state.seed = json.at("seed");
@@ -36,8 +45,7 @@ HuntState state_from(const Json& json) {
   state.refused = json.at("refused");
   state.refusal = json.value("refusal", "");
   for (const auto& [name, row] : json.at("relations").items()) {
-    state.relations.emplace_back(name, Tally{row.at("held"), row.at("broken"), row.at("not_applicable"),
-                                             row.at("nearest"), row.at("nearest_number")});
+    state.relations.emplace_back(name, tally_from(row));
   }
   for (const Json& one : json.at("findings")) state.findings.push_back(finding_from(one));
   return state;
@@ -70,7 +78,7 @@ void Tally::add(const Tally& other) {
   held += other.held;
   broken += other.broken;
   not_applicable += other.not_applicable;
-  if (other.nearest > nearest) {
+  if (other.nearest && (!nearest || *other.nearest > *nearest)) {
     nearest = other.nearest;
     nearest_number = other.nearest_number;
   }
@@ -81,7 +89,7 @@ void Tally::count(const Judgement& one, std::uint64_t number) {
   if (one.outcome == Outcome::kNotApplicable) ++not_applicable;
   if (one.outcome != Outcome::kHeld) return;
   ++held;
-  if (one.bound > 0 && one.value / one.bound > nearest) {
+  if (one.bound > 0 && (!nearest || one.value / one.bound > *nearest)) {
     nearest = one.value / one.bound;
     nearest_number = number;
   }
@@ -91,8 +99,8 @@ Json to_json(const Tally& tally) {
   return {{"held", tally.held},
           {"broken", tally.broken},
           {"not_applicable", tally.not_applicable},
-          {"nearest", tally.nearest},
-          {"nearest_number", tally.nearest_number}};
+          {"nearest", tally.nearest ? Json(*tally.nearest) : Json()},
+          {"nearest_number", tally.nearest ? Json(tally.nearest_number) : Json()}};
 }
 
 Json to_json(const HuntState& state) {

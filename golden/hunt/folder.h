@@ -15,7 +15,7 @@ namespace tumble::hunt {
 /// How often a relation was judged. A scene that it says nothing about counts as not judged.
 struct Tally {
   std::uint64_t held = 0, broken = 0, not_applicable = 0;
-  double nearest = 0;                ///< of the scenes that held: the largest value over bound; 0: it has none
+  std::optional<double> nearest;     ///< of the scenes that held: the largest value over bound; none: none has a bound
   std::uint64_t nearest_number = 0;  ///< that scene
   void add(const Tally& other);
   void count(const Judgement& one, std::uint64_t number);  ///< number: of the scene

@@ -56,9 +56,8 @@ std::string gone_on_across(const std::vector<CaseResult>& cases) {
   std::string others;
   std::size_t done = 0;
   for (const CaseResult& one : cases) {
-    const bool was_done = one.gone_on.starts_with(CaseResult::kGoneOn);
-    done += was_done ? 1U : 0U;
-    if (!was_done) others += (others.empty() ? "" : ", ") + one.name;
+    done += one.was_gone_on ? 1U : 0U;
+    if (!one.was_gone_on) others += (others.empty() ? "" : ", ") + one.name;
   }
   return decimal(done) + " of " + decimal(cases.size()) + " gone on with from each step" +
          (others.empty() ? "" : "; not so: " + others);

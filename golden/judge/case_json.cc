@@ -173,6 +173,7 @@ CaseResult case_from(const Json& json) {
   result.runs = json.at("runs");
   result.runs_message = json.at("runs_words");
   result.gone_on = json.value("gone_on", "");
+  result.was_gone_on = json.value("was_gone_on", false);
   for (const Json& metric : json.at("metrics")) result.metrics.push_back(metric_from(metric));
   for (const Json& picture : json.at("pictures")) result.pictures.push_back(picture_from(picture));
   if (!json.at("difference").is_null()) result.difference = difference_from(json.at("difference"));
@@ -224,7 +225,10 @@ Json to_json(const CaseResult& result) {
   json["notes"] = result.notes;
   json["runs"] = result.runs;
   json["runs_words"] = result.runs_message;
-  if (!result.gone_on.empty()) json["gone_on"] = result.gone_on;
+  if (!result.gone_on.empty()) {
+    json["gone_on"] = result.gone_on;
+    json["was_gone_on"] = result.was_gone_on;
+  }
   json["metrics"] = Json::array();
   for (const MetricResult& metric : result.metrics) json["metrics"].push_back(metric_json(metric));
   json["pictures"] = Json::array();

@@ -56,9 +56,8 @@ struct CaseResult {
   std::vector<std::string> notes;     ///< fail nothing
   std::uint64_t runs = 1;             ///< of the engine, judged together
   std::string runs_message;           ///< of more than one: whether they agree, or by how much they differ
-  static constexpr std::string_view kGoneOn = "gone on with from each of ";  ///< how gone_on begins where it was done
-  std::string
-      gone_on;  ///< of `check --heavy`: from how many steps it was gone on with, or why from none; empty: not asked
+  std::string gone_on;                ///< of `check --heavy`: from how many steps, or why from none; empty: not asked
+  bool was_gone_on = false;           ///< the session was gone on with from its steps, well or not
   std::vector<MetricResult> metrics;
   std::vector<PictureResult> pictures;
   std::optional<FirstDifference> difference;

@@ -28,8 +28,8 @@ std::size_t SuiteResult::failed_cases() const {
 }
 
 std::size_t SuiteResult::failed(VerdictKind kind) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(cases, [&](const CaseResult& c) { return c.verdict(kind).outcome == Outcome::kFail; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      cases, [&](const CaseResult& c) { return !c.passed() && c.verdict(kind).outcome == Outcome::kFail; }));
 }
 
 std::size_t SuiteResult::with(Change change) const {
@@ -48,10 +48,7 @@ std::string headline(const SuiteResult& result) {
   std::string text = std::to_string(result.failed_cases()) + " of " + total + " failed";
   std::string verdicts;
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
-    // A case that passed may have failed a verdict that it does not require.
-    const auto failed = std::ranges::count_if(result.cases, [k](const CaseResult& c) {
-      return !c.passed() && c.verdict(static_cast<VerdictKind>(k)).outcome == Outcome::kFail;
-    });
+    const std::size_t failed = result.failed(static_cast<VerdictKind>(k));
     if (failed == 0) continue;
     verdicts += (verdicts.empty() ? "; verdicts failed: " : ", ") + std::string(kVerdictNames[k]) + ' ' +
                 std::to_string(failed);

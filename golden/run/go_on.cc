@@ -82,8 +82,8 @@ void go_on_from_each_step(const LawSession& session, const CaseRules& rules, Cas
   } else if (to_string(final_hash) != result.final_hash) {
     problem = "this build takes the scene to other bits than the session has";
   }
-  result.gone_on =
-      std::string(CaseResult::kGoneOn) + count_text(steps, "step") + (problem.empty() ? ": same bits" : "");
+  result.was_gone_on = true;
+  result.gone_on = "gone on with from each of " + count_text(steps, "step") + (problem.empty() ? ": same bits" : "");
   if (!problem.empty()) result.problems.push_back("saved and gone on with: " + problem);
 }
 

@@ -11,6 +11,7 @@
 #include "golden/report/report_json.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
+#include "golden/suite/text_files.h"
 #include "src/base/rng.h"
 #include "tests/support/golden_suite.h"
 #include "tumble/scenes/scene_file.h"
@@ -163,6 +164,19 @@ TEST(Report, JsonAndPageNameWhatFailedAndTheCommands) {
   const Result<CaseResult> again = case_from_json(json["cases"][0].dump());
   ASSERT_TRUE(again.ok()) << again.error().message;
   EXPECT_EQ(to_json(*again), json["cases"][0]);
+}
+
+TEST(Report, JsonCountsTheVerdictsOfFailedCasesAsItsHeadlineDoes) {
+  const TemporarySuite suite;
+  suite.add("fall");
+  suite.bless();
+  suite.edit("fall", kRulesFile, "max = 100.0", "max = 1e-9");
+  suite.write(suite.root() / "cases" / "fall" / kRulesFile,
+              "require = [\"exact\"]\n" + *read_text(suite.root() / "cases" / "fall" / kRulesFile));
+  const SuiteResult result = suite.check();
+  ASSERT_TRUE(result.passed()) << headline(result);
+  EXPECT_EQ(result.cases.at(0).verdict(VerdictKind::kBehaviour).outcome, Outcome::kFail);
+  EXPECT_EQ(report_json(result)["failed_verdicts"]["behaviour"], 0);
 }
 
 }  // namespace

@@ -138,6 +138,7 @@ SAMPLES = {
     "scenes": [[]],
     "hunt": [["--count", "2", "--relation", "energy", "--folder", "hunt"], ["--relations"],
              ["--judge", str(ROOT / "tests" / "data" / "hunt_known"), "--relation", "energy"],
+             ["--count", "1", "--relation", "repeat"],
              ["--corpus", "sum", "--merge", str(ROOT / "tests" / "data" / "hunt_known")]],
     # The second is closed by Ctrl-C, as a person does; the first closes itself.
     "live": [["small.toml", "-o", "live.tumble", "--size", "160x120", "--measure", "2"],

@@ -35,6 +35,7 @@ TEST(HeavyCheck, SaysOfEachCaseWhetherItWasGoneOnWith) {
   const nlohmann::ordered_json json = nlohmann::ordered_json::parse(shop.read("one/report.json"));
   for (const auto& one : json.at("cases"))
     EXPECT_EQ(shows(one.at("gone_on"), "same bits"), one.at("name") == "own") << one.at("gone_on");
+  for (const auto& one : json.at("cases")) EXPECT_EQ(one.at("was_gone_on"), one.at("name") == "own");
 }
 
 TEST(HeavyCheck, IsAnotherCheckThanOneThatIsNot) {
@@ -46,6 +47,8 @@ TEST(HeavyCheck, IsAnotherCheckThanOneThatIsNot) {
   const Outcome merged = shop.run({"check", "--merge", "a", "b", "--report", "m"});
   EXPECT_EQ(merged.exit, 2) << merged.out;
   EXPECT_TRUE(shows(merged.err, "options")) << merged.err;
+  EXPECT_TRUE(shows(merged.err, " --heavy")) << merged.err;
+  EXPECT_FALSE(shows(merged.err, "--heavy yes")) << "there is no such option: " << merged.err;
   EXPECT_EQ(shop.run({"check", "--merge", "--heavy", "a", "b"}).exit, 2);
 }
 

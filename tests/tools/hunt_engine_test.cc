@@ -37,6 +37,13 @@ run = '''")" TUMBLE_PROGRAM R"(" record {scene} -o {log} --quiet --set "world.gr
 }
 
 // Scene 0 takes longer than the hunt has: what another process judged behind it is said, and fails.
+TEST(HuntEngine, IsComparedWithNoOtherBuild) {
+  const Workshop shop;
+  const Outcome both = shop.run({"hunt", "--engine", "--against", TUMBLE_PROGRAM, "--count", "1"});
+  EXPECT_EQ(both.exit, 2) << both.out;
+  EXPECT_NE(both.err.find("--against"), std::string::npos) << both.err;
+}
+
 TEST(HuntEngine, WhatLiesBehindASceneThatWasNotJudgedIsSaid) {
   const Workshop shop;
   shop.write("tumble.toml", R"([engine]

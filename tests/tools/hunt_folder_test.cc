@@ -40,6 +40,22 @@ TEST(HuntFolder, IsOneHunts) {
   EXPECT_FALSE(fs::exists(shop.path("kept/hunt.lock"))) << "the first is gone, and its lock with it";
 }
 
+TEST(HuntFolder, TellsNoNearestOfARelationThatHasNone) {
+  const Workshop shop;
+  const Words words = {"hunt", "--count", "3", "--relation", "repeat", "--relation", "flight", "--relation", "bounce"};
+  Words kept = words;
+  kept.insert(kept.end(), {"--folder", "kept", "--json"});
+  const Outcome first = shop.run(kept), again = shop.run(kept);
+  ASSERT_EQ(first.exit, 0) << first.err;
+  EXPECT_EQ(first.out, again.out);
+  const Json relations = Json::parse(first.out).at("relations");
+  for (const auto& [name, tally] : relations.items()) {
+    const bool none = name == "repeat" || tally.at("held") == 0;
+    EXPECT_EQ(tally.at("nearest").is_null(), none) << name << tally;
+    EXPECT_EQ(tally.at("nearest_number").is_null(), none) << name << tally;
+  }
+}
+
 TEST(HuntFolder, HoldsItsHuntFromTheStart) {
   const Workshop shop;
   write_engine(shop, "sleep 4; exit 2");

@@ -205,7 +205,7 @@ Action declare_hunt(Arguments& arguments) {
   const Argument engine = arguments.flag(
       "--engine", options->engine,
       "Judge the engine of the nearest tumble.toml; what its [engine.claims] lacks is measured and no failure");
-  within.excludes(engine);
+  exclude_all(engine, {against, within});
   const Argument folder = arguments.option("--folder", "DIR", options->folder,
                                            "Keep the hunt in this folder, and go on with the hunt that it holds");
   const Argument corpus = arguments.option("--corpus", "DIR", options->corpus,

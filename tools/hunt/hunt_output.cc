@@ -47,12 +47,12 @@ void print_tallies(const hunt::Tallies& relations, const std::vector<std::string
   if (claimed != nullptr) head.insert(head.begin() + 1, "CLAIMED");
   Table table(head);
   for (const auto& [name, tally] : relations) {
-    const bool near = tally.nearest > 0;
+    const bool near = tally.nearest.value_or(0) > 0;
     std::vector<std::string> row = {name,
                                     std::to_string(tally.held),
                                     std::to_string(tally.broken),
                                     std::to_string(tally.not_applicable),
-                                    near ? fixed(100 * tally.nearest, 0) + " %" : "",
+                                    near ? fixed(100 * *tally.nearest, 0) + " %" : "",
                                     near ? std::to_string(tally.nearest_number) : ""};
     if (claimed != nullptr)
       row.insert(row.begin() + 1, std::ranges::find(*claimed, name) != claimed->end() ? "yes" : "");
