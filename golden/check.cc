@@ -53,7 +53,8 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   result.shards = options.selection.shards;
   result.problems = suite->problems;
   if (selected.empty() && result.shards == 1) result.problems.emplace_back("no case was run");
-  result.canaries = run_canaries(options.canary_judge);
+  const CanaryRoll canaries = run_canaries(options.canary_judge, result.shard, result.shards);
+  result.canaries = canaries.results();
   const std::vector<CaseFolder> mine = selected;
   const std::vector<CaseFolder> folders = longest_first(std::move(selected));
   if (!options.report.empty()) {
@@ -61,6 +62,7 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   }
   if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
   result.facts = facts_of_run(*suite, *all, mine, options.require, options.pool.timeout_s);
+  result.facts.canaries = canaries.names();
   if (options.heavy) result.facts.options.emplace_back("heavy", kGiven);
   const TemporaryFolder scratch("tumble-check");  // a case that takes too long cannot remove its own files
   const RunOptions run = {.suite = options.suite,

@@ -61,12 +61,14 @@ Status write_bundle(const SuiteResult& result, const std::filesystem::path& fold
                     .run = result.run,
                     .facts = result.facts,
                     .judged = {},
+                    .canaries = {},
                     .files = {}};
   std::vector<std::string> paths = {kReportFile};
   for (const CaseResult& one : result.cases) {
     manifest.judged.push_back(one.name);
     paths.insert(paths.end(), one.artifacts.begin(), one.artifacts.end());
   }
+  for (const CanaryResult& one : result.canaries) manifest.canaries.push_back(one.name);
   for (const std::string& path : paths) {
     const Result<FileHash> found = hash_file(folder / path);
     if (!found.ok()) return cannot_finish(found.error().message);

@@ -71,6 +71,10 @@ const Fact kFacts[] = {
     {"engine (its files' hash)", [](const Manifest& m) { return m.facts.engine_hash; }},
     {"selection of cases",
      [](const Manifest& m) { return std::to_string(m.selected) + " cases, hash " + m.facts.selected_hash; }},
+    {"list of canaries",
+     [](const Manifest& m) {
+       return std::to_string(m.facts.canaries.size()) + " canaries, hash " + names_hash(m.facts.canaries);
+     }},
     {"set of options", options_text},
     {"rule that assigns cases", [](const Manifest& m) { return m.assignment; }},
 };
@@ -125,7 +129,8 @@ bool is_left_of(const std::vector<std::string>& names, const std::string& file) 
          std::ranges::binary_search(names, std::next(path.begin())->string());
 }
 
-/// The cases of a bundle against the rule that assigns them, and against what was judged.
+/// The cases and the canaries of a bundle against the rule that assigns them, and against what was judged. Where all
+/// bundles pass, each canary was asked once: they agree in the list of all, and its names differ.
 Status check_cases(const Bundle& bundle) {
   const Manifest& m = bundle.manifest;
   const auto damaged = [&](const std::string& how) {
@@ -138,6 +143,14 @@ Status check_cases(const Bundle& bundle) {
   if (m.judged != m.facts.expected) {
     return damaged(std::to_string(m.facts.expected.size()) + " cases fell to it and " +
                    std::to_string(m.judged.size()) + " are judged, wanted the same cases");
+  }
+  std::vector<std::string> canaries;
+  for (const std::string& name : m.facts.canaries) {
+    if (shard_of_name(name, m.shards) == m.shard) canaries.push_back(name);
+  }
+  if (m.canaries != canaries) {
+    return damaged(count_text(canaries.size(), "canary") + " fell to it and " + std::to_string(m.canaries.size()) +
+                   " were asked, wanted the same canaries");
   }
   for (const BundleFile& file : m.files) {
     if (file.path != kReportFile && !is_left_of(m.judged, file.path)) {

@@ -31,6 +31,7 @@ Json merged_json(const std::vector<MergedShard>& shards) {
   for (const MergedShard& one : shards) {
     json.push_back({{"shard", one.shard},
                     {"cases", one.cases},
+                    {"canaries", one.canaries},
                     {"seconds", one.seconds},
                     {"machine", one.machine},
                     {"date", one.date}});
@@ -45,11 +46,13 @@ RunFacts facts_from(const Json& json) {
                  .engine_hash = one.value("engine_hash", ""),
                  .selected_hash = one.at("selected_hash"),
                  .options = {},
+                 .canaries = json.at("all_canaries"),
                  .expected = json.at("expected"),
                  .merged = {}};
   for (const auto& [name, value] : one.at("options").items()) facts.options.emplace_back(name, value);
   for (const Json& row : json.at("merged")) {
-    facts.merged.push_back({row.at("shard"), row.at("cases"), row.at("seconds"), row.at("machine"), row.at("date")});
+    facts.merged.push_back(
+        {row.at("shard"), row.at("cases"), row.at("canaries"), row.at("seconds"), row.at("machine"), row.at("date")});
   }
   return facts;
 }
@@ -63,6 +66,7 @@ Manifest manifest_from(const Json& json) {
                     .run = provenance_from(json.at("run")),
                     .facts = facts_from(json),
                     .judged = json.at("judged"),
+                    .canaries = json.at("canaries"),
                     .files = {}};
   for (const Json& file : json.at("files")) {
     manifest.files.push_back({file.at("path"), file.at("bytes"), file.at("hash")});
@@ -122,6 +126,8 @@ std::string manifest_text(const Manifest& manifest) {
                {"facts", facts_json(manifest.facts)},
                {"expected", manifest.facts.expected},
                {"judged", manifest.judged},
+               {"canaries", manifest.canaries},
+               {"all_canaries", manifest.facts.canaries},
                {"merged", merged_json(manifest.facts.merged)},
                {"files", Json::array()}};
   for (const BundleFile& file : manifest.files) {

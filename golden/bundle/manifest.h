@@ -16,7 +16,7 @@ namespace tumble::golden {
 
 inline constexpr const char* kBundleFile = "bundle.json";
 inline constexpr const char* kReportFile = "report.json";
-inline constexpr int kBundleFormat = 1;
+inline constexpr int kBundleFormat = 2;  ///< 1: every shard asked all canaries
 
 struct BundleFile {
   std::string path;  ///< relative to the folder
@@ -32,7 +32,8 @@ struct Manifest {
   std::size_t selected = 0;  ///< cases of all shards together
   Provenance run;
   RunFacts facts;
-  std::vector<std::string> judged;  ///< names, in order
+  std::vector<std::string> judged;    ///< names, in order
+  std::vector<std::string> canaries;  ///< names of those that the shard asked, in order
   std::vector<BundleFile> files;
 };
 

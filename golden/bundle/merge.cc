@@ -1,6 +1,7 @@
 #include "golden/bundle/merge.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <system_error>
@@ -34,19 +35,11 @@ void add_problems(const std::vector<std::string>& problems, SuiteResult& result)
   }
 }
 
-/// Adds canaries that are not there yet. One that a shard did not catch stays not caught.
-void add_canaries(const Bundle& bundle, const std::vector<CanaryResult>& canaries, SuiteResult& result) {
-  const std::string where = "shard " + std::to_string(bundle.manifest.shard) + ": ";
-  if (canaries.empty()) result.canaries.push_back({where + "no canary was run", false, "", "suite"});
-  for (const CanaryResult& one : canaries) {
-    const auto known = std::ranges::find(result.canaries, one.name, &CanaryResult::name);
-    if (known == result.canaries.end()) {
-      result.canaries.push_back(one);
-    } else if (!one.caught && known->caught) {
-      known->caught = false;
-      known->message = where + one.message;
-    }
-  }
+/// Puts the canaries into the order of the list that all shards have; each is there once, as open_bundles saw.
+void sort_canaries(SuiteResult& result) {
+  std::map<std::string, std::size_t> place;
+  for (const std::string& name : result.facts.canaries) place.emplace(name, place.size());
+  std::ranges::sort(result.canaries, {}, [&](const CanaryResult& one) { return place.at(one.name); });
 }
 
 Status copy_artifacts(const Bundle& bundle, const fs::path& report) {
@@ -82,8 +75,9 @@ Result<SuiteResult> merge_bundles(const MergeOptions& options) {
         read_results(one, [&](CaseResult found) { result.cases.push_back(std::move(found)); });
     if (!report.ok()) return report.error();
     add_problems(report->problems, result);
-    add_canaries(one, report->canaries, result);
-    result.facts.merged.push_back({m.shard, m.judged.size(), m.run.seconds, m.run.machine, m.run.date});
+    result.canaries.insert(result.canaries.end(), report->canaries.begin(), report->canaries.end());
+    result.facts.merged.push_back(
+        {m.shard, m.judged.size(), m.canaries.size(), m.run.seconds, m.run.machine, m.run.date});
     if (options.progress) options.progress(m.shard, bundles->size());
   }
   if (Status ok = options.make_ready ? options.make_ready() : Status(); !ok.ok()) return ok.error();
@@ -91,6 +85,7 @@ Result<SuiteResult> merge_bundles(const MergeOptions& options) {
     if (Status ok = copy_artifacts(one, options.report); !ok.ok()) return ok.error();
   }
   std::ranges::sort(result.cases, {}, &CaseResult::name);
+  sort_canaries(result);
   for (const CaseResult& one : result.cases) result.facts.expected.push_back(one.name);
   return result;
 }

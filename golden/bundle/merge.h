@@ -19,8 +19,8 @@ struct MergeOptions {
   std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
-/// The result of the check of the whole suite, from the bundles of its shards: as if it had not been split. A canary
-/// counts as caught if every shard caught it. Seconds are the slowest shard's, the date is the earliest. A merge
+/// The result of the check of the whole suite, from the bundles of its shards: as if it had not been split; each canary
+/// was asked by one of them. Seconds are the slowest shard's, the date is the earliest. A merge
 /// that is refused touches nothing. Errors: open_bundles', read_results', make_ready's; kCannotFinish: the disk.
 Result<SuiteResult> merge_bundles(const MergeOptions& options);
 

@@ -1,5 +1,6 @@
 #include "golden/bundle/read_results.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -16,7 +17,7 @@ ShardReport report_from(const Json& json) {
   ShardReport report;
   report.problems = json.at("problems");
   for (const Json& one : json.at("canaries")) {
-    report.canaries.push_back({one.at("name"), one.at("caught"), one.at("words"), one.at("about")});
+    report.canaries.push_back({one.at("name"), one.at("caught"), one.at("words"), one.at("about"), one.at("asked")});
   }
   return report;
 }
@@ -43,8 +44,9 @@ Result<ShardReport> read_results(const Bundle& bundle, const std::function<void(
   try {
     const Json json = Json::parse(file, each);
     ShardReport report = report_from(json);
-    if (right && count == wanted.size()) return report;
-    fault = "its cases are not those that bundle.json names";
+    const bool asked = std::ranges::equal(report.canaries, bundle.manifest.canaries, {}, &CanaryResult::name);
+    if (right && count == wanted.size() && asked) return report;
+    fault = std::string("its ") + (asked ? "cases" : "canaries") + " are not those that bundle.json names";
   } catch (const Json::exception& problem) {
     fault = problem.what();
   }

@@ -4,6 +4,10 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "golden/canaries/known_answers.h"
 #include "golden/canaries/log_canaries.h"
@@ -175,17 +179,17 @@ std::string words_of(const CaseResult& result) {
 }
 
 /// A golden file with a spoilt byte or end must not be read.
-CanaryResult spoilt_file(const char* name, const Expected& expected, void (*spoil)(std::vector<std::byte>& file)) {
+CanaryResult spoilt_file(const Expected& expected, void (*spoil)(std::vector<std::byte>& file)) {
   Result<std::vector<std::byte>> file = pack(expected);
-  if (!file.ok()) return {name, false, file.error().message};
+  if (!file.ok()) return {"", false, file.error().message};
   const Result<Expected> whole = unpack(*file, "the canary's golden");
   spoil(*file);
   const Result<Expected> spoilt = unpack(*file, "the canary's golden");
-  return {name, whole.ok() && *whole == expected && !spoilt.ok(), spoilt.ok() ? "read" : spoilt.error().message};
+  return {"", whole.ok() && *whole == expected && !spoilt.ok(), spoilt.ok() ? "read" : spoilt.error().message};
 }
 
 CanaryResult dying_child() {
-  CanaryResult result{"a case crashes", false, "it passed as finished"};
+  CanaryResult result{"", false, "it passed as finished"};
   process::run_jobs(
       1, [](std::size_t) -> std::string { std::abort(); },
       [&](std::size_t, const process::JobResult& child) {
@@ -196,16 +200,14 @@ CanaryResult dying_child() {
   return result;
 }
 
-}  // namespace
-
-std::vector<CanaryResult> run_canaries(Judge judge_function) {
+Result<Fixture> make_fixture(Judge judge_function) {
   Fixture fixture;
   fixture.judge = judge_function;
   Result<Session> session = run_session(fixture.scene, "");
-  if (!session.ok()) return {{"nothing is wrong, which must pass", false, session.error().message}};
+  if (!session.ok()) return session.error();
   fixture.session = *std::move(session);
   Result<replay::LogReader> log = open_session(fixture.session, "the canary's log");
-  if (!log.ok()) return {{"nothing is wrong, which must pass", false, log.error().message}};
+  if (!log.ok()) return log.error();
   MetricRule& rule = fixture.rules.metrics.emplace_back();
   rule.name = "drift_max";
   rule.min = 0;
@@ -214,33 +216,63 @@ std::vector<CanaryResult> run_canaries(Judge judge_function) {
   const Judged blessed = judge(*log, {fixture.rules, nullptr, scene_hash(fixture.scene), fixture.session.continuation});
   fixture.expected = blessed.actual;
   if (!blessed.values.empty()) fixture.rules.metrics[0].value = blessed.values[0];
+  return fixture;
+}
 
-  std::vector<CanaryResult> results;
-  const CaseResult control = fixture.run();
-  results.push_back({"nothing is wrong, which must pass", control.passed(), words_of(control)});
-  if (!control.passed()) return results;
+/// Canaries about one session, which is recorded for the first that is asked.
+class JudgeCanaries {
+ public:
+  JudgeCanaries(CanaryRoll& roll, Judge judge_function) : roll_(roll), judge_(judge_function) {}
+
+  template <class Ask>
+  void ask(const char* name, Ask&& ask_it) {
+    roll_.ask(name, [&]() -> CanaryResult {
+      if (!fixture_) fixture_ = make_fixture(judge_);
+      return fixture_->ok() ? ask_it(**fixture_) : CanaryResult{"", false, fixture_->error().message};
+    });
+  }
+
+ private:
+  CanaryRoll& roll_;
+  Judge judge_;
+  std::optional<Result<Fixture>> fixture_;
+};
+
+void run_judge_canaries(CanaryRoll& roll, Judge judge_function) {
+  JudgeCanaries judged(roll, judge_function);
+  judged.ask("nothing is wrong, which must pass", [](const Fixture& fixture) -> CanaryResult {
+    const CaseResult control = fixture.run();
+    return {"", control.passed(), words_of(control)};
+  });
   for (const Canary& canary : canaries()) {
-    Fixture spoilt = fixture;
-    spoilt.session.log = std::make_shared<std::vector<std::byte>>(*fixture.session.log);
-    canary.spoil(spoilt);
-    const CaseResult result = spoilt.run();
-    results.push_back({canary.name, !result.passed() && canary.caught(result), words_of(result)});
+    judged.ask(canary.name, [&canary](const Fixture& fixture) -> CanaryResult {
+      Fixture spoilt = fixture;
+      spoilt.session.log = std::make_shared<std::vector<std::byte>>(*fixture.session.log);
+      canary.spoil(spoilt);
+      const CaseResult result = spoilt.run();
+      return {"", !result.passed() && canary.caught(result), words_of(result)};
+    });
   }
-  results.push_back(spoilt_file("a byte of the golden differs", fixture.expected,
-                                [](std::vector<std::byte>& file) { file[file.size() / 2] ^= std::byte{1}; }));
-  results.push_back(spoilt_file("the golden's file is torn", fixture.expected,
-                                [](std::vector<std::byte>& file) { file.pop_back(); }));
-  results.push_back(
-      spoilt_file("the golden's file is empty", fixture.expected, [](std::vector<std::byte>& file) { file.clear(); }));
-  results.push_back(dying_child());
-  for (CanaryResult& result : run_log_canaries()) results.push_back(std::move(result));
-  for (CanaryResult& result : run_suite_canaries()) results.push_back(std::move(result));
-  for (auto* const known : {run_known_answers, run_known_drawings, run_known_files, run_known_limits,
-                            run_known_pictures, run_known_processes, run_known_refusals, run_known_scenes,
-                            run_known_sessions, run_known_snapshots, run_known_worlds}) {
-    for (CanaryResult& result : known()) results.push_back(std::move(result));
+  const auto file = [&judged](const char* name, void (*spoil)(std::vector<std::byte> & file)) {
+    judged.ask(name, [spoil](const Fixture& fixture) { return spoilt_file(fixture.expected, spoil); });
+  };
+  file("a byte of the golden differs", [](std::vector<std::byte>& bytes) { bytes[bytes.size() / 2] ^= std::byte{1}; });
+  file("the golden's file is torn", [](std::vector<std::byte>& bytes) { bytes.pop_back(); });
+  file("the golden's file is empty", [](std::vector<std::byte>& bytes) { bytes.clear(); });
+}
+
+}  // namespace
+
+CanaryRoll run_canaries(Judge judge_function, std::size_t shard, std::size_t shards) {
+  CanaryRoll roll(shard, shards);
+  run_judge_canaries(roll, judge_function);
+  roll.ask("a case crashes", dying_child);
+  for (auto* const some : {run_log_canaries, run_suite_canaries, run_known_answers, run_known_drawings, run_known_files,
+                           run_known_limits, run_known_pictures, run_known_processes, run_known_refusals,
+                           run_known_scenes, run_known_sessions, run_known_snapshots, run_known_worlds}) {
+    some(roll);
   }
-  return results;
+  return roll;
 }
 
 }  // namespace tumble::golden

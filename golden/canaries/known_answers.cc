@@ -57,10 +57,6 @@ std::string utf8_of(std::uint32_t code) {
   return byte(0xF0U | code >> 18U) + rest(12) + rest(6) + rest(0);
 }
 
-CanaryResult known(const char* name, const std::string& found, std::string_view wanted) {
-  return {name, found == wanted, found == wanted ? "as known" : found};
-}
-
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -93,48 +89,68 @@ std::string command_words(const std::string& command) {
   return found;
 }
 
-std::vector<CanaryResult> texts() {
-  const std::string hidden = ranges([](std::uint32_t code) { return !is_shown_as_read(code); });
-  const std::string read = ranges([](std::uint32_t code) {
+std::string ranges_hidden() {
+  return ranges([](std::uint32_t code) { return !is_shown_as_read(code); });
+}
+
+std::string ranges_read() {
+  return ranges([](std::uint32_t code) {
     const std::string text = "a" + utf8_of(code);
     const Character c = utf8_at(text, 1);
     return c.code == code && c.length == text.size() - 1;
   });
-  return {
-      known("characters that do not show as they are read are replaced", hidden,
-            "0-8 b-1f 7f-9f 200e-200f 202a-202e 2066-2069 fffe-ffff"),
-      known("every character is read, and no surrogate", read, "0-d7ff e000-10ffff"),
-      known("bytes that are no character are replaced", printable("\xC0\x80 \xE0\x80\x80 \xF4\x90\x80\x80 \xE2\x82"),
-            "?? ??? ???? ??"),
-      known("a text is as wide as its characters", std::to_string(columns("1 µm → 2 m")), "10"),
-      known("numbers are written shortest",
-            exact(0.1) + " " + exact(-0.0) + " " + exact(1e-7) + " " + number_text(1e-5) + " " + exact(1.0 / 3),
-            "0.1 -0 1e-07 0.00001 0.3333333333333333"),
-      known(
-          "numbers that are none keep their bits",
-          exact_bits(kNoNumber) + " " + exact_bits(-kInfinite) + " " + numbers_read(),
-          "nan(0x7ff8000000000000) -inf(0xfff0000000000000) 0.1 -0.002 nan(0x7ff8000000000000) inf(0x7ff0000000000000) "
-          "none none none nan(0x7ff8000000000000) none none none inf(0x7ff0000000000000) -0 "),
-      known("text of other programs becomes valid", valid_text("a\xC0z\xE2\x82\xAC\xFF") + padded_left("µm", 4),
-            "a�z€�  µm"),
-      known("hashes are read as they are written", hashes_read(),
-            "0123456789abcdef00112233445566ff none none none none "),
-      known("values have their units",
-            rounded(1.23456e-7, "m") + ", " + bytes_text(4'210'000) + ", " + seconds_text(0.012) + ", " +
-                count_text(1, "body") + ", " + count_text(3, "body"),
-            "1.235e-07 m, 4.2 MB, 12.0 ms, 1 body, 3 bodies"),
-      known("a command is split into words",
-            command_words("a 'b c'  \"d \\\" e\"\tf\\ g '' h'i'j '\\'") + "; " + command_words("a 'b") + "; " +
-                command_words(" "),
-            "a|b c|d \" e|f g||hij|\\|; found a quote without its end in: a 'b; found no word in the command"),
-      known("a slip of a word is guessed", std::string(nearest_word("frictoin", {"mass", "friction", "fraction"})),
-            "friction"),
-  };
+}
+
+void texts(CanaryRoll& roll) {
+  roll.known("characters that do not show as they are read are replaced", ranges_hidden,
+             "0-8 b-1f 7f-9f 200e-200f 202a-202e 2066-2069 fffe-ffff");
+  roll.known("every character is read, and no surrogate", ranges_read, "0-d7ff e000-10ffff");
+  roll.known(
+      "bytes that are no character are replaced",
+      [] { return printable("\xC0\x80 \xE0\x80\x80 \xF4\x90\x80\x80 \xE2\x82"); }, "?? ??? ???? ??");
+  roll.known(
+      "a text is as wide as its characters", [] { return std::to_string(columns("1 µm → 2 m")); }, "10");
+  roll.known(
+      "numbers are written shortest",
+      [] {
+        return exact(0.1) + " " + exact(-0.0) + " " + exact(1e-7) + " " + number_text(1e-5) + " " + exact(1.0 / 3);
+      },
+      "0.1 -0 1e-07 0.00001 0.3333333333333333");
+  roll.known(
+      "numbers that are none keep their bits",
+      [] { return exact_bits(kNoNumber) + " " + exact_bits(-kInfinite) + " " + numbers_read(); },
+      "nan(0x7ff8000000000000) -inf(0xfff0000000000000) 0.1 -0.002 nan(0x7ff8000000000000) inf(0x7ff0000000000000) "
+      "none none none nan(0x7ff8000000000000) none none none inf(0x7ff0000000000000) -0 ");
+  roll.known(
+      "text of other programs becomes valid",
+      [] { return valid_text("a\xC0z\xE2\x82\xAC\xFF") + padded_left("µm", 4); }, "a�z€�  µm");
+  roll.known("hashes are read as they are written", hashes_read,
+             "0123456789abcdef00112233445566ff none none none none ");
+  roll.known(
+      "values have their units",
+      [] {
+        return rounded(1.23456e-7, "m") + ", " + bytes_text(4'210'000) + ", " + seconds_text(0.012) + ", " +
+               count_text(1, "body") + ", " + count_text(3, "body");
+      },
+      "1.235e-07 m, 4.2 MB, 12.0 ms, 1 body, 3 bodies");
+  roll.known(
+      "a command is split into words",
+      [] {
+        return command_words("a 'b c'  \"d \\\" e\"\tf\\ g '' h'i'j '\\'") + "; " + command_words("a 'b") + "; " +
+               command_words(" ");
+      },
+      "a|b c|d \" e|f g||hij|\\|; found a quote without its end in: a 'b; found no word in the command");
+  roll.known(
+      "a slip of a word is guessed",
+      [] {
+        return std::string(nearest_word("frictoin", {"mass", "friction", "fraction"}));
+      },
+      "friction");
 }
 
 // A service may run without standard input: the first file that is opened then has the number 0.
 CanaryResult written_without_input() {
-  CanaryResult result{"a file is written where standard input is closed", false, "it was not"};
+  CanaryResult result{"", false, "it was not"};
   const TemporaryFolder scratch("tumble-canary");
   process::run_jobs(
       1,
@@ -161,17 +177,16 @@ std::string guarded(const fs::path& folder, const std::string& place) {
   return ok.ok() ? "written" : "refused";
 }
 
-std::vector<CanaryResult> outputs() {
+std::string outputs() {
   const TemporaryFolder scratch("tumble-canary");
   const fs::path& folder = scratch.path();
-  const char* const made = "an output replaces no file of a case, of the command or of another output";
   std::error_code error;
   if (folder.empty() || !fs::create_directories(folder / "case", error) ||
       !fs::create_directories(folder / "kept/in", error))
-    return {{made, false, "no temporary folder could be made"}};
+    return "no temporary folder could be made";
   for (const char* name : {"case/scene.toml", "case/metrics.toml", "case/expected.tumble", "case/frame_0001.png",
                            "case/notes.txt", "read.tumble", "other.tumble", "kept/in/one.txt", "scene.toml"}) {
-    if (const Status ok = write_file(folder / name, "x"); !ok.ok()) return {{made, false, ok.error().message}};
+    if (const Status ok = write_file(folder / name, "x"); !ok.ok()) return ok.error().message;
   }
   fs::create_hard_link(folder / "read.tumble", folder / "link.tumble", error);
   std::string found;
@@ -180,15 +195,11 @@ std::vector<CanaryResult> outputs() {
                             "case/notes.txt", "case/new.png", "other.tumble", "scene.toml", "new.tumble"}) {
     found += (found.empty() ? "" : ", ") + std::string(place) + " " + guarded(folder, place);
   }
-  return {known(made, found,
-                "case/scene.toml refused, case/metrics.toml refused, case/expected.tumble refused, "
-                "case/frame_0001.png refused, read.tumble refused, link.tumble refused, kept/in/one.txt refused, "
-                "kept/new.txt refused, plot.svg refused, case refused, case/notes.txt written, case/new.png written, "
-                "other.tumble written, scene.toml written, new.tumble written")};
+  return found;
 }
 
 // Bodies in a row before the camera; the pointer at parts of the picture's width and height.
-std::vector<CanaryResult> pointers() {
+render::Snapshot pointed_at() {
   render::Snapshot snapshot;
   snapshot.camera = {{0, -10, 2}, {0, 0, 2}, 60, 10, 0};
   const auto add = [&snapshot](std::uint64_t id, const Vec3& centre) {
@@ -203,6 +214,11 @@ std::vector<CanaryResult> pointers() {
   add(4, {4, 0, 5});
   add(5, {0, -10, 2});                                            // around the eye
   snapshot.boxes[3].orientation = sim::normalised({1, 0, 1, 0});  // lies along x
+  return snapshot;
+}
+
+std::string pointers() {
+  const render::Snapshot snapshot = pointed_at();
   const render::View view = render::camera_view(snapshot.camera, 400, 300);
   std::string found;
   for (const auto& [x, y] : {std::pair{0.5, 0.5},
@@ -217,20 +233,28 @@ std::vector<CanaryResult> pointers() {
     const std::optional<render::Hit> hit = render::pick(snapshot, render::ray_through(view, x, y));
     found += (found.empty() ? "" : ", ") + (hit ? std::to_string(hit->id) + " at " + fixed(hit->distance, 2) : "none");
   }
-  return {known("a pointer finds the nearest body", found,
-                "2 at 9.50, 1 at 10.23, none, 4 at 10.62, 4 at 10.97, none, none, 2 at 9.54, none"),
-          known("depth is along the gaze", fixed(view.depth_of({3, 4, 5}), 3), "14.000")};
+  return found;
 }
+
+std::string depth_along_gaze() {
+  return fixed(render::camera_view(pointed_at().camera, 400, 300).depth_of({3, 4, 5}), 3);
+}
+
+constexpr const char* kGuardedOutputs =
+    "case/scene.toml refused, case/metrics.toml refused, case/expected.tumble refused, "
+    "case/frame_0001.png refused, read.tumble refused, link.tumble refused, kept/in/one.txt refused, "
+    "kept/new.txt refused, plot.svg refused, case refused, case/notes.txt written, case/new.png written, "
+    "other.tumble written, scene.toml written, new.tumble written";
 
 }  // namespace
 
-std::vector<CanaryResult> run_known_answers() {
-  std::vector<CanaryResult> results = texts();
-  results.push_back(written_without_input());
-  for (auto* const more : {outputs, pointers}) {
-    for (CanaryResult& one : more()) results.push_back(std::move(one));
-  }
-  return results;
+void run_known_answers(CanaryRoll& roll) {
+  texts(roll);
+  roll.ask("a file is written where standard input is closed", written_without_input);
+  roll.known("an output replaces no file of a case, of the command or of another output", outputs, kGuardedOutputs);
+  roll.known("a pointer finds the nearest body", pointers,
+             "2 at 9.50, 1 at 10.23, none, 4 at 10.62, 4 at 10.97, none, none, 2 at 9.54, none");
+  roll.known("depth is along the gaze", depth_along_gaze, "14.000");
 }
 
 }  // namespace tumble::golden

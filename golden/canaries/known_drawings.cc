@@ -159,33 +159,32 @@ bool brightness_alike(const std::string& line) {
   return true;
 }
 
+// In a process of its own: the driver draws by threads, and later canaries fork. fits: of what it drew.
+CanaryResult drawn_apart(std::string (*draw)(), bool (*fits)(const std::string& drawn)) {
+  CanaryResult result;
+  process::run_jobs(
+      1, [draw](std::size_t) { return draw(); },
+      [&](std::size_t, const process::JobResult& child) {
+        if (child.output == "none") {
+          result = not_asked("this machine has no OpenGL");
+          return;
+        }
+        result.caught = child.failure.empty() && fits(child.output);
+        result.message = result.caught ? "as known" : child.failure + child.output;
+      },
+      {});
+  return result;
+}
+
+bool rim_alike(const std::string& row) { return std::abs(std::atoi(row.c_str()) - kRim) <= kRimRows; }
+
 }  // namespace
 
-std::vector<CanaryResult> run_known_drawings() {
-  const std::string words = drawing_words();
-  std::vector<CanaryResult> results = {
-      {"words for effects, stages and sizes are read as they were", words == kWords, words}};
-  // In a process of its own: the driver draws by threads, and later canaries fork.
-  process::run_jobs(
-      1, [](std::size_t) { return draw_all(); },
-      [&results](std::size_t, const process::JobResult& child) {
-        if (child.output == "none") return;
-        results.push_back({"stages, effects and markers are as bright as they were", brightness_alike(child.output),
-                           !child.failure.empty()           ? child.failure
-                           : brightness_alike(child.output) ? "as known"
-                                                            : child.output});
-      },
-      {});
-  process::run_jobs(
-      1, [](std::size_t) { return draw_rim(); },
-      [&results](std::size_t, const process::JobResult& child) {
-        if (child.output == "none") return;
-        const bool known = std::abs(std::atoi(child.output.c_str()) - kRim) <= kRimRows;
-        const std::string found = child.failure + "it begins in row " + child.output;
-        results.push_back({"the ground ends where it ended", known, known ? "as known" : found});
-      },
-      {});
-  return results;
+void run_known_drawings(CanaryRoll& roll) {
+  roll.known("words for effects, stages and sizes are read as they were", drawing_words, kWords);
+  roll.ask("stages, effects and markers are as bright as they were",
+           [] { return drawn_apart(draw_all, brightness_alike); });
+  roll.ask("the ground ends where it ended", [] { return drawn_apart(draw_rim, rim_alike); });
 }
 
 }  // namespace tumble::golden

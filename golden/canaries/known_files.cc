@@ -185,27 +185,29 @@ std::string links_claimed(const fs::path& folder) {
   return known ? "as known" : found;
 }
 
+// In an empty folder of its own.
+template <class Find>
+auto in_scratch(Find find) {
+  return [find]() -> std::string {
+    const TemporaryFolder scratch("tumble-canary");
+    return scratch.path().empty() ? "no temporary folder could be made" : find(scratch.path());
+  };
+}
+
 }  // namespace
 
-std::vector<CanaryResult> run_known_files() {
-  const TemporaryFolder scratch("tumble-canary");
-  const fs::path& folder = scratch.path();
-  std::vector<CanaryResult> results;
-  const auto known = [&results](const char* name, const std::string& found, std::string_view wanted) {
-    results.push_back({name, found == wanted, found == wanted ? "as known" : found});
-  };
-  if (folder.empty()) return {{"files are written as they were", false, "no temporary folder could be made"}};
-  known("the name of an output chooses its kind", kinds_by_name(), "0 1 2 3 4 5 6 7 9 10 11 ");
-  known("an output replaces its own kind alone", kinds_replaced(folder),
-        "/old: exists and is no PNG picture, so no earlier output; name another file, or remove it first");
-  known("a file appears when it is complete", file_written(folder),
-        "old old news by its link, mode 416, no part is left, another's stays, : is a folder; name a file, : cannot be "
-        "written: No such file or directory, a device");
-  known("a folder is one process's at a time", folder_locked(folder), "refused, with the process, taken later");
-  known("a folder of outputs holds nothing that must stay", folder_claimed(folder),
-        "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
-  known("a file that must stay is found by every way to it", links_claimed(folder), "as known");
-  return results;
+void run_known_files(CanaryRoll& roll) {
+  roll.known("the name of an output chooses its kind", kinds_by_name, "0 1 2 3 4 5 6 7 9 10 11 ");
+  roll.known("an output replaces its own kind alone", in_scratch(kinds_replaced),
+             "/old: exists and is no PNG picture, so no earlier output; name another file, or remove it first");
+  roll.known("a file appears when it is complete", in_scratch(file_written),
+             "old old news by its link, mode 416, no part is left, another's stays, : is a folder; name a file, : "
+             "cannot be written: No such file or directory, a device");
+  roll.known("a folder is one process's at a time", in_scratch(folder_locked),
+             "refused, with the process, taken later");
+  roll.known("a folder of outputs holds nothing that must stay", in_scratch(folder_claimed),
+             "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
+  roll.known("a file that must stay is found by every way to it", in_scratch(links_claimed));
 }
 
 }  // namespace tumble::golden

@@ -168,39 +168,49 @@ std::string variable_kept(const std::optional<std::string>& value) {
   return after == *value ? "kept" : after;
 }
 
+// Asked of the shell, in a folder of its own.
+template <class Find>
+auto of_shell(Find find, std::string_view wanted) {
+  return [find, wanted]() -> CanaryResult {
+    if (::access(kShell, X_OK) != 0) return not_asked("this machine has no /bin/sh");
+    const TemporaryFolder scratch("tumble-canary");
+    const std::string found = scratch.path().empty() ? "no temporary folder could be made" : find(scratch.path());
+    return {"", found == wanted, found == wanted ? "as known" : found};
+  };
+}
+
+// In a process of its own, whose signals and variables are nobody's.
+template <class Find>
+auto apart(Find find) {
+  return [find] {
+    std::string found;
+    process::run_jobs(
+        1, [find](std::size_t) -> std::string { return find(); },
+        [&found](std::size_t, const process::JobResult& child) { found = child.failure + child.output; }, {});
+    return found;
+  };
+}
+
 }  // namespace
 
-std::vector<CanaryResult> run_known_processes() {
-  const TemporaryFolder scratch("tumble-canary");
-  std::vector<CanaryResult> results;
-  const auto known = [&results](const char* name, const std::string& found, std::string_view wanted) {
-    results.push_back({name, found == wanted, found == wanted ? "as known" : found});
-  };
-  if (scratch.path().empty()) return {{"programs end as they ended", false, "no temporary folder could be made"}};
-  if (::access(kShell, X_OK) == 0) {
-    known("a program that ends is told by its end", script_ends(scratch.path()),
-          "ended with status 0, well: more set UTC; ended with status 3: err; was ended by SIGTERM; was ended by "
-          "SIGSEGV; ended with status 255; took too long; was ended by SIGTERM, stopped; /none cannot be started: No "
-          "such file or directory");
-    known("a program reads what is written to it", text_piped(scratch.path()),
-          "written, well: abcwhy\nfailed, a movie need /none, which is not installed (Debian: apt-get install "
-          "its-package): two, and it said nothing; is the disk full?");
-  }
-  known("a job that fails harms no other", jobs_pooled(),
-        "job 0; job 1; job 2; ended with status 97 before it was done; took longer than 0 s; cancelled");
-  // In processes of their own, whose signals and variables are nobody's.
-  const auto known_apart = [&](const char* name, std::string_view wanted, std::string (*ask)()) {
-    process::run_jobs(
-        1, [&](std::size_t) { return ask(); },
-        [&](std::size_t, const process::JobResult& child) { known(name, child.failure + child.output, wanted); }, {});
-  };
-  known_apart("signals are taken over and given back",
-              "SIGINT handler guard handler nobody; SIGTERM handler guard handler nobody; SIGHUP handler guard handler "
-              "nobody; ",
-              signals_guarded);
-  known_apart("a choice of who draws is the user's", "kept kept",
-              [] { return variable_kept("0") + " " + variable_kept(std::nullopt); });
-  return results;
+void run_known_processes(CanaryRoll& roll) {
+  roll.ask(
+      "a program that ends is told by its end",
+      of_shell(script_ends,
+               "ended with status 0, well: more set UTC; ended with status 3: err; was ended by SIGTERM; was ended "
+               "by SIGSEGV; ended with status 255; took too long; was ended by SIGTERM, stopped; /none cannot be "
+               "started: No such file or directory"));
+  roll.ask("a program reads what is written to it",
+           of_shell(text_piped,
+                    "written, well: abcwhy\nfailed, a movie need /none, which is not installed (Debian: apt-get "
+                    "install its-package): two, and it said nothing; is the disk full?"));
+  roll.known("a job that fails harms no other", jobs_pooled,
+             "job 0; job 1; job 2; ended with status 97 before it was done; took longer than 0 s; cancelled");
+  roll.known("signals are taken over and given back", apart(signals_guarded),
+             "SIGINT handler guard handler nobody; SIGTERM handler guard handler nobody; SIGHUP handler guard handler "
+             "nobody; ");
+  roll.known("a choice of who draws is the user's",
+             apart([] { return variable_kept("0") + " " + variable_kept(std::nullopt); }), "kept kept");
 }
 
 }  // namespace tumble::golden

@@ -165,15 +165,13 @@ std::string slip_text(const std::string& text) {
 
 }  // namespace
 
-std::vector<CanaryResult> run_known_refusals() {
-  std::vector<CanaryResult> results;
-  results.reserve(kSlips.size());
+void run_known_refusals(CanaryRoll& roll) {
   for (const Slip& slip : kSlips) {
-    const std::string message = slip_text(slip.scene != nullptr ? slip.scene : many_dots());
-    const bool known = message.starts_with(slip.message);
-    results.push_back({slip.name, known, known ? "as known" : message});
+    roll.known(slip.name, [&slip]() -> std::string {
+      const std::string message = slip_text(slip.scene != nullptr ? slip.scene : many_dots());
+      return message.starts_with(slip.message) ? "as known" : message;
+    });
   }
-  return results;
 }
 
 }  // namespace tumble::golden

@@ -11,10 +11,6 @@
 namespace tumble::golden {
 namespace {
 
-CanaryResult known_scene(const std::string& name, const std::string& found, std::string_view wanted) {
-  return {name, found == wanted, found == wanted ? "as known" : found};
-}
-
 std::string place_text(const sim::Vec3& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }
 
 // Names, camera and light of a scene that says nothing of them.
@@ -204,15 +200,16 @@ constexpr std::array kOverrides = {
 
 }  // namespace
 
-std::vector<CanaryResult> run_known_scenes() {
-  std::vector<CanaryResult> results;
-  results.reserve(kKnown.size() + kOverrides.size());
-  for (const KnownScene& one : kKnown) results.push_back(known_scene(one.name, read_scene(one.scene), one.wanted));
-  for (const Override& one : kOverrides) {
-    results.push_back(
-        known_scene(std::string("a scene with --set ") + one.set, read_scene(kOverridden, {one.set}), one.wanted));
+void run_known_scenes(CanaryRoll& roll) {
+  for (const KnownScene& one : kKnown) {
+    roll.known(
+        one.name, [&one] { return read_scene(one.scene); }, one.wanted);
   }
-  return results;
+  for (const Override& one : kOverrides) {
+    roll.known(
+        std::string("a scene with --set ") + one.set, [&one] { return read_scene(kOverridden, {one.set}); },
+        one.wanted);
+  }
 }
 
 }  // namespace tumble::golden

@@ -1,6 +1,8 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "golden/canaries/known_answers.h"
 #include "golden/hunt/apart/session_pair.h"
@@ -32,7 +34,7 @@ constexpr std::uint64_t kScenes = 6;
 // A box that falls: its session beside itself is within all usual bounds, and beside one that is moved by a millimetre
 // is not.
 CanaryResult judge_pair() {
-  CanaryResult result = {"a session a millimetre off is not within bounds", false, "as known", "suite"};
+  CanaryResult result = {"", false, "as known", "suite"};
   sim::SceneDef scene;
   scene.steps = 8;
   scene.boxes.resize(1);
@@ -69,7 +71,7 @@ class Watcher : public sim::LayerObserver {
 
 // A heap of plates and a big one on it, taken with and without somebody who looks.
 CanaryResult watch_heap() {
-  CanaryResult result = {"a session that is watched has the same bits", false, "as known", "suite"};
+  CanaryResult result = {"", false, "as known", "suite"};
   sim::SceneDef scene;
   scene.world.method = sim::Method::kLayered;
   for (std::uint64_t k = 0; k < 60; ++k) {
@@ -97,27 +99,33 @@ CanaryResult watch_heap() {
   return result;
 }
 
-}  // namespace
-
-std::vector<CanaryResult> run_known_sessions() {
-  std::vector<CanaryResult> results;
-  results.reserve(kWays.size() + 2);
-  for (const Way& way : kWays) results.push_back({way.name, true, "as known", way.about});
-  for (std::uint64_t number = 0; number < kScenes; ++number) {
+// Sessions computed in one way and another, each scene once for all ways that are asked here.
+void ask_ways(CanaryRoll& roll) {
+  std::vector<std::pair<const Way*, CanaryResult>> mine;
+  for (const Way& way : kWays) {
+    if (roll.falls_here(way.name)) mine.emplace_back(&way, CanaryResult{way.name, true, "as known", way.about});
+  }
+  for (std::uint64_t number = 0; number < kScenes && !mine.empty(); ++number) {
     const Result<hunt::Trace> trace = hunt::trace(hunt::random_scene(kSeed, number));
-    for (std::size_t k = 0; k < kWays.size(); ++k) {
-      if (!results[k].caught) continue;
+    for (auto& [way, result] : mine) {
+      if (!result.caught) continue;
       const std::string scene = "scene " + std::to_string(number) + " of seed " + std::to_string(kSeed) + ": ";
-      const hunt::Judgement one = trace.ok() ? hunt::find_relation(kWays[k].relation)->judge(*trace)
-                                             : hunt::broken(0, 0, trace.error().message);
+      const hunt::Judgement one =
+          trace.ok() ? hunt::find_relation(way->relation)->judge(*trace) : hunt::broken(0, 0, trace.error().message);
       if (one.outcome != hunt::Outcome::kBroken) continue;
-      results[k].caught = false;
-      results[k].message = scene + "step " + std::to_string(one.step) + ": " + one.what;
+      result.caught = false;
+      result.message = scene + "step " + std::to_string(one.step) + ": " + one.what;
     }
   }
-  results.push_back(judge_pair());
-  results.push_back(watch_heap());
-  return results;
+  for (auto& [way, result] : mine) roll.add(std::move(result));
+}
+
+}  // namespace
+
+void run_known_sessions(CanaryRoll& roll) {
+  ask_ways(roll);
+  roll.ask("a session a millimetre off is not within bounds", judge_pair);
+  roll.ask("a session that is watched has the same bits", watch_heap);
 }
 
 }  // namespace tumble::golden

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "golden/canaries/canary_roll.h"
 #include "golden/canaries/known_answers.h"
-#include "golden/canaries/wrong_value.h"
 #include "tumble/sim/step.h"
 #include "tumble/sim/world_state.h"
 
@@ -129,23 +129,28 @@ std::string columns_cut(const sim::WorldState& good) {
   return std::to_string(taken) + " of " + std::to_string(columns);
 }
 
+// Asks of the state after a step.
+template <class Find>
+auto of_step(Find find) {
+  return [find]() -> std::string {
+    Result<sim::World> world = sim::create_world(three_crates(sim::Method::kLayered));
+    if (!world.ok() || !sim::step(*world).ok()) return "no world: " + status_text(status_of(world));
+    return find(world->state());
+  };
+}
+
+std::string taken_all(const std::vector<WrongValue<sim::WorldState>>& all, const sim::WorldState& good) {
+  return ask_all(all, good, [](const auto& state) { return status_of(sim::World::restore(state)); });
+}
+
 }  // namespace
 
-std::vector<CanaryResult> run_known_snapshots() {
-  std::vector<CanaryResult> results;
-  const auto known = [&results](const char* name, const std::string& found, std::string_view wanted) {
-    results.push_back({name, found == wanted, found == wanted ? "as known" : found});
-  };
-  Result<sim::World> world = sim::create_world(three_crates(sim::Method::kLayered));
-  if (!world.ok() || !sim::step(*world).ok()) return {{"a world is made", false, status_text(status_of(world))}};
-  for (const auto* wrong : {&wrong_snapshots(), &wrong_lists()}) {
-    known(wrong == &wrong_lists() ? "snapshots whose lists no session wrote are refused"
-                                  : "snapshots that no session wrote are refused",
-          ask_all(*wrong, world->state(), [](const auto& state) { return status_of(sim::World::restore(state)); }),
-          "as known");
-  }
-  known("a snapshot lacks no row of any column", columns_cut(world->state()), "0 of 30");
-  return results;
+void run_known_snapshots(CanaryRoll& roll) {
+  roll.known("snapshots that no session wrote are refused",
+             of_step([](const sim::WorldState& good) { return taken_all(wrong_snapshots(), good); }));
+  roll.known("snapshots whose lists no session wrote are refused",
+             of_step([](const sim::WorldState& good) { return taken_all(wrong_lists(), good); }));
+  roll.known("a snapshot lacks no row of any column", of_step(columns_cut), "0 of 30");
 }
 
 }  // namespace tumble::golden

@@ -240,32 +240,34 @@ CanaryResult written_as_ever() {
   const Result<replay::MessageBytes> chunk = made_up_chunk();
   const std::string found = chunk.ok() ? to_string(hash_bytes(chunk->bytes())) : chunk.error().message;
   const bool same = found == kWritten;
-  return {"a log is written in another way than ever", same,
-          same ? "seen" : "its bytes have the hash " + found + ", wanted " + kWritten, "format"};
+  return {"", same, same ? "seen" : "its bytes have the hash " + found + ", wanted " + kWritten, "format"};
 }
 
-CanaryResult canary(const char* name, bool (*holds)(sim::Method method)) {
-  for (const sim::Method method : {sim::Method::kThesis, sim::Method::kLayered}) {
-    if (holds(method)) continue;
-    const std::string with = method == sim::Method::kThesis ? "thesis" : "layered";
-    return {name, false, "not so in a session of method " + with, "format"};
-  }
-  return {name, true, "seen", "format"};
+// What must hold in a session of each method.
+auto by_method(bool (*holds)(sim::Method method)) {
+  return [holds]() -> CanaryResult {
+    for (const sim::Method method : {sim::Method::kThesis, sim::Method::kLayered}) {
+      if (holds(method)) continue;
+      const std::string with = method == sim::Method::kThesis ? "thesis" : "layered";
+      return {"", false, "not so in a session of method " + with, "format"};
+    }
+    return {"", true, "seen", "format"};
+  };
 }
 
 }  // namespace
 
-std::vector<CanaryResult> run_log_canaries() {
-  return {written_as_ever(),
-          canary("nothing is wrong with a log, which must be seen", nothing_is_found),
-          canary("a field of the last state in a log differs", fields_are_named),
-          canary("a counter of the last step in a log differs", counters_are_compared),
-          canary("the hidden state where a chunk ends differs", hidden_state_is_compared),
-          canary("state 0 of two logs differs", start_is_compared),
-          canary("two logs differ by more than a tolerance", tolerances_hold),
-          canary("a log ends between two records", torn_end_is_seen),
-          canary("a chunk comes from another session", strange_chunk_is_seen),
-          canary("a session goes on from any step, and must end alike", goes_on)};
+void run_log_canaries(CanaryRoll& roll) {
+  roll.ask("a log is written in another way than ever", written_as_ever);
+  roll.ask("nothing is wrong with a log, which must be seen", by_method(nothing_is_found));
+  roll.ask("a field of the last state in a log differs", by_method(fields_are_named));
+  roll.ask("a counter of the last step in a log differs", by_method(counters_are_compared));
+  roll.ask("the hidden state where a chunk ends differs", by_method(hidden_state_is_compared));
+  roll.ask("state 0 of two logs differs", by_method(start_is_compared));
+  roll.ask("two logs differ by more than a tolerance", by_method(tolerances_hold));
+  roll.ask("a log ends between two records", by_method(torn_end_is_seen));
+  roll.ask("a chunk comes from another session", by_method(strange_chunk_is_seen));
+  roll.ask("a session goes on from any step, and must end alike", by_method(goes_on));
 }
 
 }  // namespace tumble::golden

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <vector>
-
-#include "tumble/golden/suite_result.h"
+#include "golden/canaries/canary_roll.h"
 
 namespace tumble::golden {
 
 /// Logs with one false value, without a part, or continued from the middle. Replay, diff and reading must see each
 /// fault, and must see none in an intact log. These canaries are about "format".
-std::vector<CanaryResult> run_log_canaries();
+void run_log_canaries(CanaryRoll& roll);
 
 }  // namespace tumble::golden

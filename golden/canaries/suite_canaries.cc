@@ -85,17 +85,21 @@ bool inexact_images_are_seen() {
   return meter.report().error == 0.5 && meter.report().differing == 1;
 }
 
+auto seen(bool (*is_seen)()) {
+  return [is_seen]() -> CanaryResult {
+    const bool caught = is_seen();
+    return {"", caught, caught ? "seen" : "not seen", "suite"};
+  };
+}
+
 }  // namespace
 
-std::vector<CanaryResult> run_suite_canaries() {
-  const auto canary = [](const char* name, bool caught) {
-    return CanaryResult{name, caught, caught ? "seen" : "not seen", "suite"};
-  };
-  return {canary("all shards together must be the suite", shards_make_a_whole()),
-          canary("a case that cannot be read is left out", unreadable_cases_are_run()),
-          canary("a canary, a case or a suite fails", failures_add_up()),
-          canary("a mirror image is half a metre off", inexact_images_are_seen()),
-          canary("a case ends before it is done", early_end_is_seen())};
+void run_suite_canaries(CanaryRoll& roll) {
+  roll.ask("all shards together must be the suite", seen(shards_make_a_whole));
+  roll.ask("a case that cannot be read is left out", seen(unreadable_cases_are_run));
+  roll.ask("a canary, a case or a suite fails", seen(failures_add_up));
+  roll.ask("a mirror image is half a metre off", seen(inexact_images_are_seen));
+  roll.ask("a case ends before it is done", seen(early_end_is_seen));
 }
 
 }  // namespace tumble::golden

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <vector>
-
-#include "tumble/golden/suite_result.h"
+#include "golden/canaries/canary_roll.h"
 
 namespace tumble::golden {
 
 /// Checks the adding up of verdicts: no case is left out, no failure becomes a success.
-std::vector<CanaryResult> run_suite_canaries();
+void run_suite_canaries(CanaryRoll& roll);
 
 }  // namespace tumble::golden

@@ -12,6 +12,7 @@ namespace tumble::golden {
 struct MergedShard {
   std::size_t shard = 1;
   std::size_t cases = 0;
+  std::size_t canaries = 0;
   double seconds = 0;   ///< of wall time
   std::string machine;  ///< its class
   std::string date;     ///< UTC
@@ -28,6 +29,7 @@ struct RunFacts {
   std::string selected_hash;  ///< of the names of the cases of all shards
   /// Options that can change a verdict, and their values: "require", "exact behaviour"; "heavy", kGiven.
   std::vector<std::pair<std::string, std::string>> options;
+  std::vector<std::string> canaries;  ///< names of those of all shards, in order
   std::vector<std::string> expected;  ///< names of this shard's cases, in order, before any was run
   std::vector<MergedShard> merged;    ///< by shard; empty for a check that was run
 };

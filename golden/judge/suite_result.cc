@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/base/text.h"
+
 namespace tumble::golden {
 namespace {
 
@@ -18,7 +20,19 @@ std::string changes_text(const SuiteResult& result) {
 }  // namespace
 
 bool SuiteResult::canaries_caught() const {
-  return !canaries.empty() && std::ranges::all_of(canaries, &CanaryResult::caught);
+  return (shards > 1 || !canaries.empty()) && std::ranges::none_of(canaries, &CanaryResult::missed);
+}
+
+std::string SuiteResult::canaries_text() const {
+  const auto asked = static_cast<std::size_t>(std::ranges::count_if(canaries, &CanaryResult::asked));
+  const auto caught = static_cast<std::size_t>(std::ranges::count_if(canaries, &CanaryResult::caught));
+  std::string text = std::to_string(caught) + " of " + count_text(asked, "canary") + " caught";
+  if (canaries.empty() && shards > 1) text = "no canary";
+  if (const std::size_t left = canaries.size() - asked; left > 0) text += ", " + std::to_string(left) + " not asked";
+  if (facts.canaries.size() > canaries.size()) {
+    text += ", " + std::to_string(facts.canaries.size() - canaries.size()) + " fell to other shards";
+  }
+  return text;
 }
 
 bool SuiteResult::passed() const { return problems.empty() && canaries_caught() && failed_cases() == 0; }

@@ -17,21 +17,27 @@ struct CanaryResult {
   bool caught = false;
   std::string message;  ///< of the judge
   std::string about =
-      "suite";  ///< the part that is broken if it is not caught: "suite", or "format" for log and golden
+      "suite";        ///< the part that is broken if it is not caught: "suite", or "format" for log and golden
+  bool asked = true;  ///< false: this machine has not what it takes, as the message says; nothing was judged
+  [[nodiscard]] bool missed() const { return asked && !caught; }
 };
 
 struct SuiteResult {
   std::string suite;  ///< its folder
   std::size_t shard = 1;
   std::size_t shards = 1;
-  std::size_t selected = 0;           ///< cases of all shards together
-  Provenance run;                     ///< of this check
-  RunFacts facts;                     ///< for its bundle
-  double seconds = 0;                 ///< of wall time
-  std::vector<CaseResult> cases;      ///< by name
-  std::vector<std::string> problems;  ///< of the suite itself; each fails the check
-  std::vector<CanaryResult> canaries;
+  std::size_t selected = 0;            ///< cases of all shards together
+  Provenance run;                      ///< of this check
+  RunFacts facts;                      ///< for its bundle
+  double seconds = 0;                  ///< of wall time
+  std::vector<CaseResult> cases;       ///< by name
+  std::vector<std::string> problems;   ///< of the suite itself; each fails the check
+  std::vector<CanaryResult> canaries;  ///< those that fell to this shard
 
+  /// How many were caught, "168 of 168 canaries caught", and how many fell to other shards or could not be asked.
+  [[nodiscard]] std::string canaries_text() const;
+
+  /// None was missed. Of a check that is no shard also: there are some.
   [[nodiscard]] bool canaries_caught() const;
   /// A shard that no case fell to: nothing failed, and nothing was judged either.
   [[nodiscard]] bool is_empty_shard() const { return cases.empty() && problems.empty() && shards > 1; }

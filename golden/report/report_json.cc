@@ -26,6 +26,7 @@ Json report_json(const SuiteResult& result) {
                {"seconds", result.seconds},
                {"failed_cases", result.failed_cases()},
                {"canaries_caught", result.canaries_caught()},
+               {"canaries_of_all_shards", std::max(result.canaries.size(), result.facts.canaries.size())},
                {"problems", result.problems}};
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
     json["failed_verdicts"][kVerdictNames[k]] = result.failed(static_cast<VerdictKind>(k));
@@ -37,8 +38,11 @@ Json report_json(const SuiteResult& result) {
   for (const CaseResult& one : result.cases) json["cases"].push_back(to_json(one));
   json["canaries"] = Json::array();
   for (const CanaryResult& canary : result.canaries) {
-    json["canaries"].push_back(
-        {{"name", canary.name}, {"caught", canary.caught}, {"about", canary.about}, {"words", canary.message}});
+    json["canaries"].push_back({{"name", canary.name},
+                                {"caught", canary.caught},
+                                {"about", canary.about},
+                                {"words", canary.message},
+                                {"asked", canary.asked}});
   }
   return json;
 }

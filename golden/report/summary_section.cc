@@ -89,8 +89,9 @@ Html tiles(const SuiteResult& result) {
     out << tile(to_string(change), std::to_string(result.with(change)) + " of " + std::to_string(result.cases.size()));
   }
   const auto caught = std::ranges::count_if(result.canaries, &CanaryResult::caught);
-  out << tile("canaries caught", mark_of(result.canaries_caught()) + std::to_string(caught) + " of " +
-                                     std::to_string(result.canaries.size()));
+  const auto asked = std::ranges::count_if(result.canaries, &CanaryResult::asked);
+  const std::string mark = result.canaries.empty() && result.shards > 1 ? "– " : mark_of(result.canaries_caught());
+  out << tile("canaries caught", mark + std::to_string(caught) + " of " + std::to_string(asked));
   return out << "</ul>\n";
 }
 
@@ -116,13 +117,20 @@ Html overview(const SuiteResult& result) {
 Html canary_list(const SuiteResult& result) {
   Html out("<details");
   if (!result.canaries_caught()) out << " class=\"fail\" open";
-  out << "><summary><h3>Canaries</h3><span>comparisons of known outcome, made in every run</span></summary>\n"
+  out << "><summary><h3>Canaries</h3><span>comparisons of known outcome, each made once in every "
+         "check</span></summary>\n"
          "<div class=\"inside\"><div class=\"scroll\"><table><thead><tr><th>Caught</th><th>Fault made on "
          "purpose</th><th>Finding of the judge</th></tr></thead><tbody>\n";
   for (const CanaryResult& canary : result.canaries) {
-    out << "<tr class=\"" << text(class_of(canary.caught ? Outcome::kPass : Outcome::kFail)) << "\"><td class=\"mark\">"
-        << text(canary.caught ? "✓ caught" : "✕ not caught") << "</td><td>" << text(canary.name) << "</td><td>"
-        << text(canary.message) << "</td></tr>\n";
+    out << "<tr class=\""
+        << text(class_of(canary.caught  ? Outcome::kPass
+                         : canary.asked ? Outcome::kFail
+                                        : Outcome::kNone))
+        << "\"><td class=\"mark\">"
+        << text(canary.caught  ? "✓ caught"
+                : canary.asked ? "✕ not caught"
+                               : "– not asked")
+        << "</td><td>" << text(canary.name) << "</td><td>" << text(canary.message) << "</td></tr>\n";
   }
   return out << "</tbody></table></div></div></details>\n";
 }

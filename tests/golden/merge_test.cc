@@ -99,7 +99,7 @@ TEST_F(Merge, NamesEveryShardThatIsLostDoubledOrForeign) {
   edit(11, [](Manifest& m) { m.facts.options = {{"require", "exact"}, {"timeout", "600"}}; });
   edit(12, [](Manifest& m) { m.facts.selected_hash = std::string(32, '3'); });
   edit(13, [](Manifest& m) { m.assignment = "every N-th"; });
-  write(shard(14) / kBundleFile, R"({"format": 2})");
+  write(shard(14) / kBundleFile, R"({"format": 3})");
   edit(15, [](Manifest& m) { m.facts.engine_hash = std::string(32, '4'); });
   edit(16, [](Manifest& m) { m.facts.engine_hash = std::string(32, '5'); });
   edit(17, [](Manifest& m) { m.facts.engine_hash = std::string(32, '5'); });
@@ -218,18 +218,6 @@ TEST_F(Merge, NamesTheReportThatNoCheckWrote) {
   expect_error(ErrorKind::kDamaged, {(shard(3) / kReportFile).string()});
   edit_report(3, [](Json& report) { report = Json::array({1, 2}); });
   expect_error(ErrorKind::kDamaged, {(shard(3) / kReportFile).string()});
-}
-
-TEST_F(Merge, CountsACanaryThatOneShardDidNotCatch) {
-  edit_report(5, [](Json& report) { report["canaries"][2]["caught"] = false; });
-  const Result<SuiteResult> merged = merge();
-  ASSERT_TRUE(merged.ok()) << merged.error().message;
-  EXPECT_FALSE(merged->canaries_caught());
-  EXPECT_NE(merged->canaries[2].message.find("shard 5: "), std::string::npos);
-  edit_report(5, [](Json& report) { report["canaries"] = Json::array(); });
-  const Result<SuiteResult> without = merge();
-  ASSERT_TRUE(without.ok()) << without.error().message;
-  EXPECT_FALSE(without->canaries_caught());
 }
 
 TEST_F(Merge, DoesNotWriteIntoAShard) {

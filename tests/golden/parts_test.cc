@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+#include <set>
 
 #include "golden/canaries/canaries.h"
 #include "golden/expected/expected_file.h"
@@ -20,9 +21,42 @@ namespace tumble::golden {
 namespace {
 
 TEST(Canaries, AreAllCaughtByTheJudge) {
-  const std::vector<CanaryResult> results = run_canaries();
-  EXPECT_GE(results.size(), 25U);
-  for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.message;
+  const CanaryRoll roll = run_canaries();
+  EXPECT_EQ(roll.results().size(), roll.names().size());
+  EXPECT_GE(roll.results().size(), 25U);
+  for (const CanaryResult& one : roll.results()) EXPECT_FALSE(one.missed()) << one.name << ": " << one.message;
+}
+
+TEST(Canaries, AreAskedInOneShardEach) {
+  constexpr std::size_t kOfThree = 3;
+  std::vector<std::string> all, asked;
+  for (std::size_t k = 1; k <= kOfThree; ++k) {
+    const CanaryRoll roll = run_canaries(judge, k, kOfThree);
+    all = all.empty() ? roll.names() : all;
+    EXPECT_EQ(roll.names(), all) << "each shard knows those of all";
+    EXPECT_LT(roll.results().size(), all.size());
+    for (const CanaryResult& one : roll.results()) {
+      EXPECT_FALSE(one.missed()) << one.name << ": " << one.message;
+      asked.push_back(one.name);
+    }
+  }
+  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size()) << "no name is there twice";
+  std::ranges::sort(all);
+  std::ranges::sort(asked);
+  EXPECT_EQ(asked, all);
+}
+
+TEST(Canaries, ThatCouldNotBeAskedAreSaid) {
+  SuiteResult result;
+  result.canaries = {{"one", true, "seen", "suite"}, {"two", false, "no OpenGL", "suite", false}};
+  result.facts.canaries = {"one", "two", "three"};
+  EXPECT_TRUE(result.canaries_caught());
+  EXPECT_EQ(result.canaries_text(), "1 of 1 canary caught, 1 not asked, 1 fell to other shards");
+  result.canaries.clear();
+  EXPECT_FALSE(result.canaries_caught()) << "a check asks some";
+  result.shards = 5;
+  EXPECT_TRUE(result.canaries_caught());
+  EXPECT_EQ(result.canaries_text(), "no canary, 3 fell to other shards");
 }
 
 TEST(Headline, CountsTheVerdictsOfCasesThatFailed) {
@@ -62,7 +96,7 @@ Judged never_pleased(replay::LogReader& log, const Reference& reference) {
 
 TEST(Canaries, ShowAJudgeThatSeesNothingOrTooMuch) {
   for (const Judge sabotaged : {always_pleased, blind_to_the_last_state, never_pleased}) {
-    EXPECT_TRUE(std::ranges::any_of(run_canaries(sabotaged), [](const CanaryResult& c) { return !c.caught; }));
+    EXPECT_TRUE(std::ranges::any_of(run_canaries(sabotaged).results(), &CanaryResult::missed));
   }
   const TemporarySuite suite;
   suite.add("fall");

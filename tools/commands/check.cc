@@ -183,9 +183,10 @@ Action declare_check(Arguments& arguments) {
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 all passed, 1 a case failed, 2 bad usage or no such case or suite, 4 could not finish, or a\n"
-      "canary (a comparison of known outcome, made in every run) was not caught. With --merge also 2 for a shard that "
-      "is\n"
-      "missing, there twice or of another check, 3 for one that is damaged; the message names each.\n\n"
+      "canary (a comparison of known outcome; each check makes all, in shards each in one) was not caught. With "
+      "--merge\n"
+      "also 2 for a shard that is missing, there twice or of another check, 3 for one that is damaged; the message "
+      "names each.\n\n"
       "Examples:\n"
       "  tumble check\n"
       "  tumble check brick_wall tower --report build/report\n"

@@ -67,16 +67,14 @@ void print_sum(const golden::SuiteResult& result, const std::string& suite, cons
     std::cout << "across  " << printable(sentence) << '\n';
   if (const std::string sentence = golden::gone_on_across(result.cases); !sentence.empty())
     std::cout << "heavy   " << printable(sentence) << '\n';
-  std::size_t caught = 0;
   for (const golden::CanaryResult& canary : result.canaries) {
-    caught += canary.caught ? 1U : 0U;
-    if (!canary.caught) {
+    if (canary.missed()) {
       std::cout << "CANARY NOT CAUGHT: " << canary.name << ": " << printable(canary.message) << '\n';
     }
   }
   std::cout << '\n'
-            << printable(golden::headline(result)) << "  (" << seconds_text(result.seconds) << "; " << caught << " of "
-            << count_text(result.canaries.size(), "canary") << " caught";
+            << printable(golden::headline(result)) << "  (" << seconds_text(result.seconds) << "; "
+            << result.canaries_text();
   if (result.shards > 1) std::cout << "; shard " << result.shard << " of " << result.shards;
   std::cout << ")\nsuite:  " << printable(suite) << '\n';
   if (!report.empty()) std::cout << "report: " << report << "/index.html\n";

@@ -166,10 +166,10 @@ def spoilers(whole: int):
         (cut("report.json"), "report.json: found"), (cut("bundle.json"), "damaged: its end is missing"),
         (flip("report.json"), "its content has changed"), (flip("bundle.json"), "damaged: its text has the hash"),
         (lambda f: (f / "report.json").unlink(), "report.json: is missing"), (link, "is a link or no file"),
-        (lambda f: (f / "bundle.json").write_text(""), "damaged: its end is missing"),
+        (edit(["canaries"], ["a", "b", "c", "d", "e", "f", "g", "h", "i"]), "9 were asked, wanted the same canaries"),
         (edit(["judged"], ["nothing"]), "are judged, wanted the same cases"),
         (edit(["files"], [{"path": "../x", "bytes": 0, "hash": ""}]), "names the file"),
-        (edit(["format"], 2), "found format 2, wanted 1"),
+        (edit(["format"], 1), "found format 1, wanted 2"),
         (lambda f: (f / "bundle.json").unlink(), "holds no bundle.json"), (shutil.rmtree, "no such folder"),
         (None, "is missing"), (edit(["shard"], whole), "is there twice"),
         (edit(["shards"], 9999), "of another number of shards"), (edit(["run", "commit"], "f" * 40), "of another commit"),
@@ -209,6 +209,7 @@ def part_spoiled(program: Path, work: Path, bundles: list) -> None:
 def part_large(program: Path, work: Path, bundle: Path, results: int, shards: int) -> None:
     report = json.loads((bundle / "report.json").read_text())
     manifest = json.loads((bundle / "bundle.json").read_text())
+    all_canaries = json.loads((work / "merged" / "report.json").read_text())["canaries"]
     names = [[] for _ in range(shards)]
     for k in range(results):
         names[shard_of(f"made_{k:06d}", shards) - 1].append(f"made_{k:06d}")
@@ -218,11 +219,12 @@ def part_large(program: Path, work: Path, bundle: Path, results: int, shards: in
     for k in range(shards):
         folder = work / f"large-{k + 1}"
         folder.mkdir()
+        canaries = [one for one in all_canaries if shard_of(one["name"], shards) == k + 1]
         cases = [json.loads(re.sub(r"case_\d{5}", name, pattern)) for name in names[k]]
-        text = json.dumps({**report, "shard": k + 1, "shards": shards, "cases": cases}, ensure_ascii=False).encode()
+        text = json.dumps({**report, "shard": k + 1, "shards": shards, "cases": cases, "canaries": canaries}, ensure_ascii=False).encode()
         (folder / "report.json").write_bytes(text)
         sign({**manifest, "shard": k + 1, "shards": shards, "selected": results, "expected": names[k],
-              "judged": names[k], "facts": {**manifest["facts"], "selected_hash": hexadecimal(selected)},
+              "judged": names[k], "canaries": [one["name"] for one in canaries], "facts": {**manifest["facts"], "selected_hash": hexadecimal(selected)},
               "files": [{"path": "report.json", "bytes": len(text), "hash": hexadecimal(text)}]}, folder)
         folders.append(folder)
     begin = time.time()

@@ -29,7 +29,7 @@ words_of_report='
     (.cases[].metrics[] | select(.pass | not)
       | if .name == "frozen_fraction" or .name == "rest_time" then "freezing" else .group end),
     (.cases[].problems[] | word), (.problems[] | "suite"),
-    (.canaries[] | select(.caught | not) | .about // "suite") ] | unique | join(", ")'
+    (.canaries[] | select(.asked and (.caught | not)) | .about // "suite") ] | unique | join(", ")'
 # shellcheck disable=SC2090  # it is given to jq as it stands
 export words_of_report
 
