@@ -38,7 +38,8 @@ Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
         return check_body_closely(bodies, i);
       }
       const Vec3 displacement = scratch.displacement[i];
-      const Vec3 up = (scratch.hit[i] & kHit) != 0 ? vertical : Vec3(displacement / length(displacement));
+      Vec3 up = vertical;
+      if ((scratch.hit[i] & kHit) == 0) up = displacement / length(displacement);
       const LiftCost cost = pay_for_lift(velocity, displacement, state.def.gravity, up);
       velocity = cost.velocity;
       scratch.removed_energy += cost.removed * bodies.mass[i];

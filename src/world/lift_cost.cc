@@ -13,9 +13,11 @@ LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3
   const double rise = dot(velocity, up);
   const double left = std::sqrt(std::max(0.0, rise * rise - 2 * pumped));
   const double new_rise = rise < 0 ? -left : left;
-  const Vec3 slower = plus_zero(velocity + VelocityGrid::round(Vec3(up * (new_rise - rise))));
-  const double unpaid = std::max(0.0, pumped - 0.5 * (rise * rise));
-  return {slower, 0.5 * (dot(velocity, velocity) - dot(slower, slower)), unpaid};
+  // Built where it stays: a copy would wait for the three stores before it, and the next body with it.
+  LiftCost cost{plus_zero(velocity + VelocityGrid::round(Vec3(up * (new_rise - rise))))};
+  cost.removed = 0.5 * (dot(velocity, velocity) - dot(cost.velocity, cost.velocity));
+  cost.unpaid = std::max(0.0, pumped - 0.5 * (rise * rise));
+  return cost;
 }
 
 }  // namespace tumble::sim
