@@ -101,7 +101,7 @@ class ContactsObserver : public sim::Observer {
 
   void add_batches(std::uint32_t substep, const sim::World& world, const sim::ContactBatches& all, bool fast) {
     const sim::Scratch& scratch = world.scratch();
-    const std::vector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
+    const LargeVector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
     for (const sim::ContactBatch& batch : all.batches) {
       for (unsigned lane = 0; lane < batch.used; ++lane) {
         const sim::Manifold& m = manifolds[all.order[batch.members + lane]];

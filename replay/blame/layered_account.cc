@@ -29,7 +29,7 @@ int sweeps_of(const sim::Scratch& scratch, std::uint32_t layer, bool& hard) {
 // Rows of outcomes: 2 (k kLanes + lane) for body a of lane `lane` of batch k of the layer, the next for body b.
 void AccountObserver::layer_solved(const sim::Scratch& scratch, const sim::ContactBatches& all, std::size_t layer) {
   const bool fast = &all == &scratch.fast.batches;
-  const std::vector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
+  const LargeVector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
   for (std::uint32_t t = all.touched_start[layer]; t < all.touched_end[layer]; ++t) {
     if (all.touched[t].body != row_) continue;
     for (std::uint32_t e = all.touched[t].begin; e < all.touched[t].end; ++e) {
@@ -92,7 +92,7 @@ void AccountObserver::look_at_weights(const sim::World& world) {
 
 void AccountObserver::look_at_batches(const sim::Scratch& scratch, const sim::ContactBatches& all,
                                       std::uint32_t substep, bool fast) {
-  const std::vector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
+  const LargeVector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
   for (const sim::ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       const sim::Manifold& m = manifolds[all.order[batch.members + lane]];

@@ -20,7 +20,7 @@ sim::Vec3 lane_vector(const sim::Lanes* lanes, unsigned lane) {
 
 // Calls visit(batch, lane, manifold) for each awake contact of the body in the batches.
 template <class Visit>
-void for_each_lane(const sim::ContactBatches& all, const std::vector<sim::Manifold>& manifolds, sim::BodyIndex row,
+void for_each_lane(const sim::ContactBatches& all, const LargeVector<sim::Manifold>& manifolds, sim::BodyIndex row,
                    Visit visit) {
   for (const sim::ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
@@ -60,7 +60,7 @@ void PhaseRules::carries_impulses(std::uint32_t substep, const sim::World& world
   const sim::Scratch& scratch = world.scratch();
   if (row_ >= scratch.in_contact.size() || scratch.in_contact[row_] == 0) return;
   std::map<Other, sim::Vec3> wanted;
-  const auto add_up = [&](const sim::ContactBatches& all, const std::vector<sim::Manifold>& manifolds) {
+  const auto add_up = [&](const sim::ContactBatches& all, const LargeVector<sim::Manifold>& manifolds) {
     for_each_lane(all, manifolds, row_, [&](const sim::ContactBatch& batch, unsigned lane, const sim::Manifold& m) {
       const Other other = id_of(m.a == row_ ? m.b : m.a);
       const sim::Vec3 gain = gain_by_impulses(all, batch, lane, m.b == row_ ? 1 : -1, scratch.solver_bodies[row_]);

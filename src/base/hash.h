@@ -64,15 +64,15 @@ class Hasher {
 };
 
 /// A view of rows that consist of doubles alone, as one sequence of doubles.
-template <class Row>
-std::span<const double> doubles_of(const std::vector<Row>& rows) {
+template <class Row, class Allocator>
+std::span<const double> doubles_of(const std::vector<Row, Allocator>& rows) {
   static_assert(sizeof(Row) % sizeof(double) == 0);
   return {reinterpret_cast<const double*>(rows.data()), rows.size() * (sizeof(Row) / sizeof(double))};
 }
 
 /// Of rows [begin, end) alone.
-template <class Row>
-std::span<const double> doubles_of(const std::vector<Row>& rows, std::size_t begin, std::size_t end) {
+template <class Row, class Allocator>
+std::span<const double> doubles_of(const std::vector<Row, Allocator>& rows, std::size_t begin, std::size_t end) {
   constexpr std::size_t kOfRow = sizeof(Row) / sizeof(double);
   return doubles_of(rows).subspan(begin * kOfRow, (end - begin) * kOfRow);
 }

@@ -13,8 +13,8 @@ std::size_t held(const ManifoldList& list);
 std::size_t held(const ContactBatches& b);
 std::size_t held(const FastContacts& f);
 std::size_t held(const SavedMotion& s);
-template <class T>
-std::size_t held(const std::vector<T>& items) {
+template <class T, class Allocator>
+std::size_t held(const std::vector<T, Allocator>& items) {
   return items.capacity() * sizeof(T);
 }
 std::size_t held(const Vec3Column& c) { return held(c.x) + held(c.y) + held(c.z); }

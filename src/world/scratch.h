@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/base/large_vector.h"
 #include "src/kernels/box_frame.h"
 #include "src/kernels/contacts/contact_batch.h"
 #include "src/kernels/lane_width.h"
@@ -87,9 +88,9 @@ struct alignas(64) Outcome {
 
 /// The awake manifolds in batches, layer by layer; written by prepare_manifolds.
 struct ContactBatches {
-  std::vector<ContactBatch> batches;
+  LargeVector<ContactBatch> batches;
   std::vector<BatchSides> sides;  ///< by batch
-  std::vector<PointBatch> points;
+  LargeVector<PointBatch> points;
   std::vector<std::uint32_t> layer_start;                 ///< by layer, in `batches`
   std::vector<std::uint32_t> place;                       ///< by manifold: kLanes times batch plus lane
   std::vector<std::uint32_t> order;                       ///< the manifolds, batch by batch
@@ -137,8 +138,8 @@ using ContactPair = std::pair<BodyIndex, BodyIndex>;
 
 /// Manifolds and their points, as one worker finds them.
 struct ManifoldList {
-  std::vector<Manifold> manifolds;
-  std::vector<ManifoldPoint> points;
+  LargeVector<Manifold> manifolds;
+  LargeVector<ManifoldPoint> points;
   std::vector<ContactPair> fast_pairs;                  ///< ascending; see FastContacts
   std::size_t manifolds_before = 0, points_before = 0;  ///< counts of the workers before
 };
@@ -236,8 +237,8 @@ struct Scratch {
   std::vector<double> turning;        ///< m, way of corners by turning; written by find_near_pairs
   std::vector<VelocityRange> ranges;  ///< by body, empty where no two are fast; written by find_near_pairs
   std::vector<std::uint8_t> hit_unevenly;  ///< by body, empty as ranges; written by find_near_pairs
-  std::vector<Manifold> manifolds;         ///< in the order of the pairs; written by find_manifolds
-  std::vector<ManifoldPoint> manifold_points;
+  LargeVector<Manifold> manifolds;         ///< in the order of the pairs; written by find_manifolds
+  LargeVector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by worker
   bool found_again = false;                ///< whether wake_islands found the manifolds again
   ContactGraph graph;                      ///< written by assign_levels

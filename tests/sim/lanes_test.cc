@@ -28,9 +28,9 @@ std::vector<LaneWidth> widths_here() {
 // Bodies and manifolds with nothing in common but that every sum stays within its grid; of the outcomes, the first
 // body takes the first two, and so on.
 struct RandomContacts {
-  std::vector<ContactBatch> batches;
+  LargeVector<ContactBatch> batches;
   std::vector<BatchSides> sides;
-  std::vector<PointBatch> points;
+  LargeVector<PointBatch> points;
   std::vector<Outcome> outcomes;
   std::vector<std::uint32_t> entries;
   std::vector<BodyOutcomes> touched;

@@ -232,7 +232,7 @@ TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
 // Masses of a hard island's contacts are computed anew when its bars have turned.
 TEST(PhaseHashes, CoverMassesThatTurningRenews) {
   const auto hard = [](World& world) -> ContactBatch& {
-    std::vector<ContactBatch>& all = world.mutable_scratch().contact_batches.batches;
+    LargeVector<ContactBatch>& all = world.mutable_scratch().contact_batches.batches;
     return *std::ranges::find_if(all, [](const ContactBatch& batch) { return batch.hard; });
   };
   SceneDef scene = test::plates_and_bars(12, 5);

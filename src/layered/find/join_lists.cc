@@ -4,8 +4,8 @@
 
 namespace tumble::sim {
 
-void join_lists(std::span<ManifoldList> found, Workers* workers, std::vector<Manifold>& manifolds,
-                std::vector<ManifoldPoint>& points) {
+void join_lists(std::span<ManifoldList> found, Workers* workers, LargeVector<Manifold>& manifolds,
+                LargeVector<ManifoldPoint>& points) {
   if (found.empty()) return;
   std::size_t manifolds_before = manifolds.size(), points_before = points.size();
   for (ManifoldList& list : found) {

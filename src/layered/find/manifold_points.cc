@@ -47,7 +47,7 @@ class FacePair {
         centre_u_(dot(side.d, m.t1)),
         centre_v_(dot(side.d, m.t2)) {}
 
-  void add_points(int incident_axis, std::vector<ManifoldPoint>& points) {
+  void add_points(int incident_axis, LargeVector<ManifoldPoint>& points) {
     set_incident(incident_axis);
     earlier_ = points.size();
     const int inside = add_incident_corners(points);
@@ -74,7 +74,7 @@ class FacePair {
     tolerance_ = kEdgeTolerance * std::min(std::min(half_u_, half_v_), std::min(half1_, half2_));
   }
 
-  void add(double u, double v, double w, Feature feature, std::vector<ManifoldPoint>& points) const {
+  void add(double u, double v, double w, Feature feature, LargeVector<ManifoldPoint>& points) const {
     if (w > side_.margin) return;
     for (std::size_t k = m_.first; k < earlier_; ++k) {
       if (points[k].feature == feature) return;  // shared by two tied incident faces
@@ -86,7 +86,7 @@ class FacePair {
     point.feature = feature;
   }
 
-  int add_incident_corners(std::vector<ManifoldPoint>& points) const {
+  int add_incident_corners(LargeVector<ManifoldPoint>& points) const {
     int inside = 0;
     for (const double s1 : {-1.0, 1.0}) {
       for (const double s2 : {-1.0, 1.0}) {
@@ -102,7 +102,7 @@ class FacePair {
 
   // Adds the corners of the reference face inside the incident face, except those at an incident corner. s, t: place of
   // the corner in units of the incident face's half edges.
-  void add_reference_corners(std::vector<ManifoldPoint>& points) const {
+  void add_reference_corners(LargeVector<ManifoldPoint>& points) const {
     const double det = e1_.u * e2_.v - e1_.v * e2_.u;
     if (std::fabs(det) <= kParallel) return;
     for (const double s1 : {-1.0, 1.0}) {
@@ -119,7 +119,7 @@ class FacePair {
     }
   }
 
-  void add_crossings(std::vector<ManifoldPoint>& points) const {
+  void add_crossings(LargeVector<ManifoldPoint>& points) const {
     for (const double s : {-1.0, 1.0}) {
       add_edge_crossings(c_, e2_, s, e1_, half1_, edge_of(j1_, s, facing_), points);
       add_edge_crossings(c_, e1_, s, e2_, half2_, edge_of(j2_, facing_, s), points);
@@ -129,7 +129,7 @@ class FacePair {
   // Adds the crossings of one incident edge with the four sides of the reference face. The edge lies `s` half edges
   // `across` from the face's centre and runs along `along`.
   void add_edge_crossings(const InFace& c, const InFace& across, double s, const InFace& along, double half,
-                          unsigned incident_edge, std::vector<ManifoldPoint>& points) const {
+                          unsigned incident_edge, LargeVector<ManifoldPoint>& points) const {
     const InFace base = {c.u + s * across.u, c.v + s * across.v, c.w + s * across.w};
     for (const double r : {-1.0, 1.0}) {
       if (std::fabs(along.u) > kParallel) {
@@ -172,7 +172,7 @@ class FacePair {
 
 }  // namespace
 
-void face_manifold(const ManifoldSide& side, int axis, Manifold& m, std::vector<ManifoldPoint>& points) {
+void face_manifold(const ManifoldSide& side, int axis, Manifold& m, LargeVector<ManifoldPoint>& points) {
   const BoxFrame& a = *side.reference;
   const BoxFrame& b = *side.incident;
   const double sign = dot(side.d, a.axes[axis]) < 0 ? -1.0 : 1.0;
@@ -203,7 +203,7 @@ bool one_farthest_edge(const BoxFrame& box, int edge, const Vec3& n) {
 }
 
 void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, double separation, Manifold& m,
-                   std::vector<ManifoldPoint>& points) {
+                   LargeVector<ManifoldPoint>& points) {
   const int i = (axis - 6) / 3, j = (axis - 6) % 3;
   const BoxFrame& a = *side.reference;
   const BoxFrame& b = *side.incident;
@@ -236,7 +236,7 @@ void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, doub
   point.feature = side.reference_is_lower_row ? crossing_feature(edge_a, edge_b) : crossing_feature(edge_b, edge_a);
 }
 
-void ground_manifold(const BoxFrame& frame, double reach, Manifold& m, std::vector<ManifoldPoint>& points) {
+void ground_manifold(const BoxFrame& frame, double reach, Manifold& m, LargeVector<ManifoldPoint>& points) {
   m.n = {0, 0, 1};
   m.t1 = {1, 0, 0};
   m.t2 = {0, 1, 0};

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "src/base/large_vector.h"
 #include "src/collide/box_pair.h"
 #include "tumble/sim/manifold.h"
 
@@ -20,7 +21,7 @@ struct ManifoldSide {
 /// inside the incident face, and crossings of edges. Each kind is found on its own, not by clipping one edge after the
 /// other, so the points depend on no order of edges. Where two incident faces tie exactly, both count. Writes n, t1,
 /// t2, d, offset, first, count of the manifold and appends its points.
-void face_manifold(const ManifoldSide& side, int axis, Manifold& manifold, std::vector<ManifoldPoint>& points);
+void face_manifold(const ManifoldSide& side, int axis, Manifold& manifold, LargeVector<ManifoldPoint>& points);
 
 /// Whether one edge of the box in the direction of axis `edge` lies farthest out along n; two tie where boxes lie on a
 /// lattice.
@@ -28,9 +29,9 @@ bool one_farthest_edge(const BoxFrame& box, int edge, const Vec3& n);
 
 /// Finds the contact point of two crossing edges. axis: 6 + 3i + j as in box_pair.h, of (reference, incident).
 void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, double separation, Manifold& manifold,
-                   std::vector<ManifoldPoint>& points);
+                   LargeVector<ManifoldPoint>& points);
 
 /// Finds the corners of a box that are at most `reach` (m) above the ground z = 0.
-void ground_manifold(const BoxFrame& frame, double reach, Manifold& manifold, std::vector<ManifoldPoint>& points);
+void ground_manifold(const BoxFrame& frame, double reach, Manifold& manifold, LargeVector<ManifoldPoint>& points);
 
 }  // namespace tumble::sim

@@ -5,7 +5,7 @@
 namespace tumble::sim {
 
 bool leave_points_in_reach(const Bodies& bodies, const PointReach& reach, Manifold& m,
-                           std::vector<ManifoldPoint>& points) {
+                           LargeVector<ManifoldPoint>& points) {
   const Vec3 va = m.a == kGround ? Vec3(Vec3::Zero()) : bodies.velocity[m.a];
   const Vec3 wa = m.a == kGround ? Vec3(Vec3::Zero()) : bodies.spin[m.a];
   const Vec3 u = (bodies.velocity[m.b] - va) - cross(wa, m.d), w = bodies.spin[m.b] - wa;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "src/base/large_vector.h"
 #include "src/collide/box_pair.h"
 #include "tumble/sim/manifold.h"
 #include "tumble/sim/world_state.h"
@@ -30,7 +31,7 @@ struct PointReach {
 
 /// Removes the points of the last manifold that cannot meet. Returns whether one that is left pushes.
 bool leave_points_in_reach(const Bodies& bodies, const PointReach& reach, Manifold& m,
-                           std::vector<ManifoldPoint>& points);
+                           LargeVector<ManifoldPoint>& points);
 
 /// Where the points lie as the boxes will meet, `later` s from now: makes the separations those of now.
 void separate_as_now(const Bodies& bodies, const Manifold& m, double later, std::span<ManifoldPoint> points);

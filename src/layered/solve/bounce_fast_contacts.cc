@@ -14,7 +14,7 @@ constexpr int kVisits = 64;  // an impulse that falls short loses energy
 
 // Bodies that bounce have waited where they met, though their velocities moved the separations on.
 void put_back(Scratch& scratch) {
-  std::vector<PointBatch>& points = scratch.fast.batches.points;
+  LargeVector<PointBatch>& points = scratch.fast.batches.points;
   for_ranges(scratch.workers, points.size(), kFastAPart / kLanes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       for (int lane = 0; lane < kLanes; ++lane) {

@@ -25,7 +25,7 @@ std::span<const double> part_of_row(const Row& row) {
 // Adds bytes [kBegin, kEnd) of every row. The rows lie far apart, and waiting for memory would take longer than
 // hashing. So each part is prefetched before its turn and copied into a block that stays in the nearest cache.
 template <std::size_t kBegin, std::size_t kEnd, class Row>
-void add_parts(const std::vector<Row>& rows, Hasher& hasher) {
+void add_parts(const LargeVector<Row>& rows, Hasher& hasher) {
   constexpr std::size_t kBytes = kEnd - kBegin, kAhead = 1 + 4096 / kBytes, kBlockRows = 1 + 4096 / kBytes;
   alignas(64) double block[kBlockRows * kBytes / sizeof(double)];
   for (std::size_t begin = 0; begin < rows.size(); begin += kBlockRows) {

@@ -135,7 +135,7 @@ add_units() { # name, file...
   fi
 }
 rm -rf "$out/units" && mkdir "$out/units"
-printf '%s\n' tests/determinism/main.cc src/threads/worker_threads.cc src/base/{check,text,utf8}.cc >"$out/sources" # not physics, these five
+printf '%s\n' tests/determinism/main.cc src/threads/worker_threads.cc src/base/{check,large_vector,text,utf8}.cc >"$out/sources" # not physics, these six
 add_units small src/base/hash*.cc src/{math,model,step}/*.cc # one unit, for most of its time goes into the headers
 mapfile -t any_width < <(find src/kernels -name '*.cc' ! -name kernels.cc | sort)
 add_units kernels "${any_width[@]}"

@@ -1,0 +1,51 @@
+// Arrays of 1 MB and more lie in whole large pages, smaller ones where the heap puts them; both keep their values.
+#include "src/base/large_vector.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <new>
+
+namespace tumble {
+namespace {
+
+constexpr std::uintptr_t kLargePage = 1U << 21U;  // bytes
+
+struct alignas(64) Row {
+  double of[8] = {};
+};
+
+template <class T>
+std::uintptr_t address_of(const LargeVector<T>& items) {
+  return reinterpret_cast<std::uintptr_t>(items.data());
+}
+
+TEST(LargeVector, AnArrayOfAMegabyteBeginsWithALargePage) {
+  const LargeVector<double> items((1U << 20U) / sizeof(double));
+  EXPECT_EQ(address_of(items) % kLargePage, 0U);
+}
+
+TEST(LargeVector, SmallArraysAreAlignedAsTheirItemsAsk) {
+  const LargeVector<Row> one(1), several(3);
+  EXPECT_EQ(address_of(one) % alignof(Row), 0U);
+  EXPECT_EQ(address_of(several) % alignof(Row), 0U);
+}
+
+// From the heap into large pages, and from there into more of them.
+TEST(LargeVector, KeepsItsValuesWhileItGrows) {
+  LargeVector<std::uint64_t> items;
+  for (std::uint64_t k = 0; k < kLargePage; ++k) items.push_back(k * k);
+  ASSERT_EQ(items.size(), kLargePage);
+  std::uint64_t wrong = 0;
+  for (std::uint64_t k = 0; k < kLargePage; ++k) wrong += items[k] != k * k ? 1 : 0;
+  EXPECT_EQ(wrong, 0U);
+  const LargeVector<std::uint64_t> copy = items;
+  EXPECT_EQ(copy, items);
+}
+
+TEST(LargeVector, RefusesMoreThanAnAddressCanCount) {
+  EXPECT_THROW(LargeAllocator<Row>().allocate(SIZE_MAX / sizeof(Row)), std::bad_array_new_length);
+}
+
+}  // namespace
+}  // namespace tumble
