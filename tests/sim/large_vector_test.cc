@@ -37,7 +37,7 @@ TEST(LargeVector, KeepsItsValuesWhileItGrows) {
   for (std::uint64_t k = 0; k < kLargePage; ++k) items.push_back(k * k);
   ASSERT_EQ(items.size(), kLargePage);
   std::uint64_t wrong = 0;
-  for (std::uint64_t k = 0; k < kLargePage; ++k) wrong += items[k] != k * k ? 1 : 0;
+  for (std::uint64_t k = 0; k < kLargePage; ++k) wrong += items[k] != k * k ? 1U : 0U;
   EXPECT_EQ(wrong, 0U);
   const LargeVector<std::uint64_t> copy = items;
   EXPECT_EQ(copy, items);

@@ -20,10 +20,16 @@ constexpr double kKept = 0.5;
 // The sum of value(point), no value negative.
 template <class Value>
 double exact_sum(const ContactLane& contact, std::span<const ManifoldPoint> points, Value value) {
+  const double usual = contact.batch.impulse_magic.of[contact.lane];
   double largest = 0, sum = 0;
-  for (const ManifoldPoint& point : points) largest = std::max(largest, value(point));
+  for (const ManifoldPoint& point : points) {
+    largest = std::max(largest, value(point));
+    sum += to_grid(usual, value(point));
+  }
   const double terms = std::max(4.0, static_cast<double>(points.size()));  // as fitting_magic wants it
-  const double magic = fitting_magic(contact.batch.impulse_magic.of[contact.lane], largest * terms);
+  const double magic = fitting_magic(usual, largest * terms);
+  if (magic == usual) return sum;
+  sum = 0;
   for (const ManifoldPoint& point : points) sum += to_grid(magic, value(point));
   return sum;
 }

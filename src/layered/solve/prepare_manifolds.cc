@@ -1,5 +1,7 @@
 #include "src/layered/solve/prepare_manifolds.h"
 
+#include <algorithm>
+
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/layer_reach.h"
@@ -76,9 +78,11 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   if (hasher != nullptr) add_places(scratch, *hasher);
   const ContactWork work = all_contacts(scratch, dt_s);
   const auto prepare = [&](std::size_t begin, std::size_t end) {
-    const ContactWork part = part_of(work, begin, end);
-    kernels(scratch.lanes).contacts.prepare(part);
-    mark_bounces(part);
+    for (; begin < end; begin += kBatchesABlock) {
+      const ContactWork block = part_of(work, begin, std::min(begin + kBatchesABlock, end));
+      kernels(scratch.lanes).contacts.prepare(block);
+      mark_bounces(block);  // while the block is in the nearest cache
+    }
   };
   for_hashed_batches(hasher, scratch, prepare, [&](std::size_t begin, std::size_t end) {
     add_batches(scratch.contact_batches, begin, end, *hasher);
