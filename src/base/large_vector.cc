@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kLarge = 1U << 20U;      // bytes
 constexpr std::size_t kLargePage = 1U << 21U;  // bytes
 
-// Size and alignment of the memory for an array: whole large pages, where at most half of one stays unused.
+// Size and alignment of the memory for an array: whole large pages from the size on that fills half of one.
 std::pair<std::size_t, std::align_val_t> block_for(std::size_t bytes, std::size_t alignment) {
   if (bytes < kLarge) return {bytes, std::align_val_t{alignment}};
   return {(bytes + kLargePage - 1) / kLargePage * kLargePage, std::align_val_t{std::max(alignment, kLargePage)}};
@@ -31,8 +31,7 @@ void* allocate_large(std::size_t bytes, std::size_t alignment) {
 }
 
 void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept {
-  const auto [size, aligned] = block_for(bytes, alignment);
-  ::operator delete(memory, size, aligned);
+  ::operator delete(memory, block_for(bytes, alignment).second);
 }
 
 }  // namespace tumble
