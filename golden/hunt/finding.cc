@@ -138,13 +138,14 @@ std::string rules_of_law(const std::string& law, double bound) {
 
 }  // namespace
 
-std::string case_rules(const Finding& finding, bool of_engine) {
+std::string case_rules(const Finding& finding, std::string_view program, bool of_engine) {
   const Judgement& found = finding.shrunk() ? finding.shrunk_judgement : finding.judgement;
   std::string what;
   for (const char c : printable(describe(found))) what += c == '"' || c == '\\' ? '\'' : c;
   return "# Found by `tumble hunt`: seed " + std::to_string(finding.seed) + ", scene " +
-         std::to_string(finding.number) + "; broke \"" + finding.relation + "\".\n# " + what + "\n" +
-         (of_engine ? "\n[engine]\nscene = \"scene.toml\"\n" : "") + rules_of_law(finding.relation, found.bound) +
+         std::to_string(finding.number) + ", tumble " + std::string(program) + "; broke \"" + finding.relation +
+         "\".\n# " + what + "\n" + (of_engine ? "\n[engine]\nscene = \"scene.toml\"\n" : "") +
+         rules_of_law(finding.relation, found.bound) +
          "\n[[metric]]\nname = \"lost\"\nmax = 0.0\nwhy = \"nothing falls through the ground or through another "
          "body\"\n";
 }

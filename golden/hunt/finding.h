@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "golden/hunt/judge/relation.h"
@@ -69,7 +70,8 @@ std::string whole_text(const Json& json);
 /// Throws Json::exception where a key is missing.
 Finding finding_from(const Json& json);
 
-/// metrics.toml of the case that the finding becomes: of the engine of a tumble.toml, or of this program.
-std::string case_rules(const Finding& finding, bool of_engine);
+/// metrics.toml of the case that the finding becomes: of the engine of a tumble.toml, or of this program. program: the
+/// version and commit that found it, which names the scene together with its seed and number.
+std::string case_rules(const Finding& finding, std::string_view program, bool of_engine);
 
 }  // namespace tumble::hunt

@@ -247,12 +247,13 @@ Status Folder::keep(const std::filesystem::path& place, Finding& finding) const 
   return {};
 }
 
-Status Folder::write(const Finding& finding, const std::string& drawn, bool of_engine) const {
+Status Folder::write(const Finding& finding, const std::string& drawn, const HuntState& state) const {
   const std::string name = name_of(finding);
   if (Status ok = golden::write_file(path_ / kFindings / (name + ".toml"), drawn); !ok.ok()) return ok;
   if (!finding.shrunk() && finding.relation != kSurvives) return {};
   const std::filesystem::path folder = path_ / "cases" / name;
-  if (Status ok = golden::write_file(folder / "metrics.toml", case_rules(finding, of_engine)); !ok.ok()) return ok;
+  const std::string rules = case_rules(finding, state.program, !state.engine.empty());
+  if (Status ok = golden::write_file(folder / "metrics.toml", rules); !ok.ok()) return ok;
   return golden::write_file(folder / "scene.toml", finding.shrunk() ? finding.shrunk_text : drawn);
 }
 

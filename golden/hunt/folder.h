@@ -112,7 +112,7 @@ class Folder {
   [[nodiscard]] Result<HuntState> load() const;
 
   /// Writes the files of a finding, then nothing else refers to it until save().
-  [[nodiscard]] Status write(const Finding& finding, const std::string& drawn, bool of_engine) const;
+  [[nodiscard]] Status write(const Finding& finding, const std::string& drawn, const HuntState& state) const;
   [[nodiscard]] Status save(const HuntState& state) const;
 
   /// Keeps the run of an engine that set_aside() put into `place` beside the scene of a finding, and names its files

@@ -239,7 +239,7 @@ class Hunt {
   Status write(const Finding& finding) {
     if (options_.folder.empty()) return {};
     const Result<TextScene> drawn = drawn_scene(finding.seed, finding.number);
-    return drawn.ok() ? folder_.write(finding, drawn->text, !state_.engine.empty()) : Status(drawn.error());
+    return drawn.ok() ? folder_.write(finding, drawn->text, state_) : Status(drawn.error());
   }
 
   const HuntOptions& options_;

@@ -70,6 +70,8 @@ TEST(Hunt, ShrinksToACaseThatCanBeBlessed) {
   EXPECT_EQ(found.at("shrunk").at("steps"), 1);
   const std::string name = found.at("name");
   EXPECT_TRUE(says(shop.read("kept/findings/" + name + ".toml"), "scene "));
+  EXPECT_TRUE(
+      says(shop.read("kept/cases/" + name + "/metrics.toml"), ", tumble " + json.at("program").get<std::string>()));
   const Outcome blessed = shop.run({"bless", "--suite", "kept", "--reason", "found by a hunt", name});
   EXPECT_EQ(blessed.exit, 0) << blessed.err << shop.read("kept/cases/" + name + "/scene.toml");
   EXPECT_EQ(shop.run({"check", "--suite", "kept", name}).exit, 0);
