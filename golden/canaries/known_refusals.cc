@@ -37,7 +37,7 @@ constexpr std::array kSlips = {
     Slip{"text that is no TOML is named", "[[box]\n", "slip.toml:1:7: found text that is not TOML, wanted TOML 1.0"},
     Slip{"a line of dots is named", nullptr, "slip.toml:1:1: found a line of more than 256 dots, wanted fewer of them"},
     Slip{"a character that turns the writing is not shown", "[[box]]\n\"a\\u202eb\" = 1\n",
-         "slip.toml:2:1: [[box]] key \"a???b\": found an unknown key, wanted size, mass, density, material, frozen, "
+         "slip.toml:2:1: [[box]] key \"a?b\": found an unknown key, wanted size, mass, density, material, frozen, "
          "id, static, position, axis, degrees, orientation, velocity or spin"},
     Slip{"a scene without a body is named", "[world]\nsteps = 2\n",
          "slip.toml:1:1: found no body, wanted at least one [[box]], generator or [[input]] that throws a box"},

@@ -25,7 +25,7 @@ Result<std::vector<fs::path>> scenes_in(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     if (entry->path().extension() == ".toml") files.push_back(entry->path());
   }
-  if (error) return bad_input(folder.string() + ": cannot be read: " + error.message());
+  if (error) return bad_input(folder.string() + ": cannot be read: " + error.message() + "; wanted a folder of scenes");
   std::ranges::sort(files);
   return files;
 }

@@ -5,7 +5,13 @@
 #include <string>
 #include <system_error>
 
+#include "tumble/sim/result.h"
+
 namespace tumble::golden {
+
+/// Whether files can be written in the system's place for temporary files. Errors (kCannotFinish): the place, what is
+/// wrong with it, and how to name another.
+Status check_temporary_place();
 
 /// A new folder for temporary files, named PREFIX-XXXXXX in `within` or the system's place for them, removed with this
 /// object. The path is empty if no folder could be made.
@@ -14,6 +20,7 @@ class TemporaryFolder {
   explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& within = {}) {
     std::error_code error;
     const std::filesystem::path place = within.empty() ? std::filesystem::temp_directory_path(error) : within;
+    if (error) return;
     std::string pattern = (place / (prefix + "-XXXXXX")).string();
     if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
   }

@@ -1,7 +1,10 @@
 #include "replay/arrays/array_joints.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+
+#include "src/base/text.h"
 
 namespace tumble::replay {
 
@@ -12,6 +15,14 @@ std::vector<std::pair<std::size_t, std::size_t>> free_joints(const std::vector<M
     if (joints[j].kind == MujocoJoint::Kind::kFree) found.emplace_back(j, at);
   }
   return found;
+}
+
+std::string unnamed_joints(const std::vector<MujocoJoint>& joints) {
+  const auto first = std::ranges::find_if(joints, &MujocoJoint::unnamed);
+  if (first == joints.end()) return {};
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(joints, &MujocoJoint::unnamed));
+  return count_text(count, "joint") + " of --model without a name, called by the place in the model: " + first->name +
+         (count > 1 ? " and so on" : "");
 }
 
 Result<std::vector<TableColumn>> joint_columns(const std::vector<MujocoJoint>& joints,

@@ -188,6 +188,8 @@ class ArrayTable {
         joint_columns(options_.joints, {find({"qpos"}), find({"qvel"})}, steps_, find(kPositions) == nullptr);
     if (!columns.ok()) return wrong(columns.error().message);
     columns_.insert(columns_.end(), columns->begin(), columns->end());
+    const std::string unnamed = unnamed_joints(options_.joints);
+    if (options_.warn && !unnamed.empty()) options_.warn(name_ + ": " + unnamed);
     return {};
   }
 

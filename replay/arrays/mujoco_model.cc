@@ -45,7 +45,8 @@ class Model {
     const std::string type = tag == "freejoint" ? "free" : node.attribute("type").as_string(usual.c_str());
     MujocoJoint joint;
     joint.name = node.attribute("name").as_string();
-    if (joint.name.empty()) joint.name = "joint " + std::to_string(joints_.size());
+    joint.unnamed = joint.name.empty();
+    if (joint.unnamed) joint.name = "joint " + std::to_string(joints_.size());
     joint.body = body.attribute("name").as_string();
     if (type == "free") joint.kind = MujocoJoint::Kind::kFree;
     if (type == "ball") joint.kind = MujocoJoint::Kind::kBall;

@@ -13,6 +13,7 @@ struct MujocoJoint {
   enum class Kind { kFree, kBall, kSlide, kHinge };
   Kind kind = Kind::kHinge;
   std::string name;  ///< "joint 3" for the fourth joint where it has none
+  bool unnamed = false;
   std::string body;  ///< of the body that it moves; empty without a name
   [[nodiscard]] std::size_t positions() const { return kind == Kind::kFree ? 7 : (kind == Kind::kBall ? 4 : 1); }
   [[nodiscard]] std::size_t velocities() const { return kind == Kind::kFree ? 6 : (kind == Kind::kBall ? 3 : 1); }

@@ -137,6 +137,9 @@ Result<std::vector<Array>> read_npz(std::string_view bytes, const std::string& n
     const auto wrong = [&](const Error& error) {
       return Error{error.kind, name + ": array " + in_quotes(array) + ": " + error.message};
     };
+    if (std::ranges::find(arrays, array, &Array::name) != arrays.end()) {
+      return wrong(bad_input("found twice in the archive, wanted once"));
+    }
     total += entry.size;
     if (total > kArrayBytesMax) return wrong(bad_input("found more than 4 GiB of arrays"));
     const Result<std::string> unpacked = unpack(bytes, entry);

@@ -118,7 +118,8 @@ Status check_body_info(const BodyInfo& info) {
   }
   if (info.name.size() <= kColumnNameBytesMax && printable(info.name) == info.name) return {};
   return bad_input("body " + std::to_string(info.id) + ": found the name " + in_quotes(info.name) +
-                   ", wanted at most " + std::to_string(kColumnNameBytesMax) + " bytes of text");
+                   ", wanted at most " + std::to_string(kColumnNameBytesMax) +
+                   " bytes of text in UTF-8 without control characters");
 }
 
 }  // namespace tumble::replay

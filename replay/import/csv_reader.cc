@@ -19,6 +19,17 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
+/// An error where the names of the columns are written as other programs write them; else empty.
+std::string wrong_separator(std::string_view line, std::size_t cells) {
+  const bool by_semicolon = line.find(';') != std::string_view::npos,
+             by_tab = line.find('\t') != std::string_view::npos;
+  if (cells == 1 && (by_semicolon || by_tab)) {
+    return std::string("found columns apart by ") + (by_semicolon ? "semicolons" : "tabs") +
+           ", wanted commas, and points in numbers";
+  }
+  return line.starts_with('"') ? "found names in quotes, wanted names and cells without quotes" : "";
+}
+
 }  // namespace
 
 bool CsvReader::next_line() {
@@ -83,6 +94,8 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
       return reader.at_line(reader.line_, "found " + std::to_string(reader.cells_.size()) +
                                               " columns, wanted at most " + std::to_string(kTableColumnsMax));
     }
+    if (std::string wrong = wrong_separator(reader.current_, reader.cells_.size()); !wrong.empty())
+      return reader.at_line(reader.line_, wrong);
     reader.columns_.assign(reader.cells_.begin(), reader.cells_.end());
     return reader;
   }

@@ -57,7 +57,7 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   steps.first_reading_ = options.kinds.empty();
   steps.channels_.set_kinds(options.kinds);
   if (Status ok = check_channels(steps.channels_.channels()); !ok.ok()) {
-    return steps.at_line(steps.table_.line(), ok.error().message);
+    return steps.at_line(steps.table_.line(), ok.error().message + "; --map channel.NAME=COLUMN gives another name");
   }
   if (const Result<bool> more = steps.next_row(); !more.ok()) return more.error();
   return steps;
@@ -87,7 +87,9 @@ Result<bool> CsvSteps::next(TableStep& step) {
   std::ranges::sort(step.rows, {}, &TableStep::Row::first);
   const auto twice = std::ranges::adjacent_find(step.rows, {}, &TableStep::Row::first);
   if (twice != step.rows.end()) {
-    return at_line(step.line, "found body " + std::to_string(twice->first) + " twice in the step that begins here");
+    const std::string& name = infos_.at(twice->first).name;
+    return at_line(step.line, "found body " + (name.empty() ? std::to_string(twice->first) : in_quotes(name)) +
+                                  " twice in the step that begins here; wanted one row for each body and step");
   }
   ++steps_;
   return true;
@@ -192,7 +194,9 @@ Status CsvSteps::take_row(TableStep& step) {
   if (!state.ok()) return state.error();
   if (Status ok = meet(*id, *state); !ok.ok()) return ok;
   plausible_.set_gravity(settings_.scene.world.gravity);
-  plausible_.add(*id, steps_, step.dt, *state, {columns_.has_velocity(), columns_.has_spin()}, settings_.axes);
+  const bool by_angles = columns_.euler[0] != kNone;
+  plausible_.add(*id, steps_, step.dt, *state, {columns_.has_velocity(), columns_.has_spin(), !by_angles},
+                 boxes_.at(*id).size.maxCoeff(), settings_.axes);
   step.rows.emplace_back(*id, *state);
   if (!first_reading_) return channels_.take(table_, *id, step.values);
   channels_.look(table_);
@@ -230,6 +234,7 @@ Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   if (known != met_.end()) {
     if (known->second.last_step + 1 < steps_) notes_.came_back(table_.at(columns_.id, "").message, id, steps_);
     known->second.last_step = steps_;
+    if (Status ok = check_description(id, known->second); !ok.ok()) return ok;
     return bodies_.check_later(table_, known->second.first);
   }
   const auto like = like_.find(id);
@@ -237,7 +242,9 @@ Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   box.id = id;
   Result<CsvBodies::FirstRow> first = bodies_.read_first(table_, box);
   if (!first.ok()) return first.error();
-  met_.emplace(id, Met{steps_, *std::move(first)});
+  Met met = {steps_, *std::move(first), ""};
+  if (columns_.shape != kNone) met.shape = table_.cell(columns_.shape);
+  met_.emplace(id, std::move(met));
   box.position = state.position;
   box.orientation = state.orientation;
   box.velocity = state.velocity;
@@ -252,8 +259,12 @@ Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
 /// Name and shape of a new body.
 Status CsvSteps::describe(sim::BodyId id, const sim::Vec3& size) {
   BodyInfo& info = infos_.emplace(id, BodyInfo{id, "", {}}).first->second;
-  if (columns_.name != kNone) info.name = table_.cell(columns_.name);
+  const std::string_view name = columns_.name == kNone ? std::string_view() : table_.cell(columns_.name);
+  const std::string place = columns_.name == kNone ? "" : table_.at(columns_.name, "").message;
+  if (!name.empty() && !info.name.empty() && name != info.name) notes_.called_twice(place, id, info.name, name);
+  if (!name.empty()) info.name = name;
   if (Status ok = check_body_info(info); !ok.ok()) return table_.at(columns_.name, ok.error().message);
+  if (columns_.name != kNone && !info.name.empty()) notes_.named(place, id, info.name);
   if (columns_.shape == kNone) return {};
   Result<std::optional<Shape>> shape = parse_shape(table_.cell(columns_.shape), size, settings_.axes, table_.name());
   if (!shape.ok()) return table_.at(columns_.shape, shape.error().message);
@@ -261,6 +272,21 @@ Status CsvSteps::describe(sim::BodyId id, const sim::Vec3& size) {
   info.shape = hash_of(**shape);
   shapes_.emplace(id, **std::move(shape));
   return {};
+}
+
+/// A log has one name and one shape of a body. An empty cell says nothing.
+Status CsvSteps::check_description(sim::BodyId id, const Met& met) {
+  if (columns_.name != kNone && !ids_.contains(table_.cell(columns_.id))) {
+    const std::string_view name = table_.cell(columns_.name);
+    const std::string& kept = infos_.at(id).name;
+    if (!name.empty() && name != kept) notes_.renamed(table_.at(columns_.name, "").message, id, kept, name);
+  }
+  if (columns_.shape == kNone) return {};
+  const std::string_view shape = table_.cell(columns_.shape);
+  if (shape.empty() || shape == met.shape) return {};
+  return table_.at(columns_.shape, "shape: " + found_wanted(in_quotes(shape), in_quotes(met.shape)) + " as in line " +
+                                       std::to_string(met.first.line) +
+                                       ": a body keeps the value that it first appears with");
 }
 
 const Shape* CsvSteps::shape(sim::BodyId id) const {

@@ -15,7 +15,7 @@
 #include "replay/import/csv_clock.h"
 #include "replay/import/csv_format.h"
 #include "replay/import/csv_reader.h"
-#include "replay/import/derived_motion.h"
+#include "replay/import/motion.h"
 #include "replay/import/table_map.h"
 #include "replay/import/table_notes.h"
 #include "tumble/replay/engine_log.h"
@@ -83,6 +83,7 @@ class CsvSteps {
   struct Met {
     std::uint64_t last_step = 0;  // counted from 0
     CsvBodies::FirstRow first;
+    std::string shape;  // the cell
   };
 
   CsvSteps(CsvReader table, CsvSettings settings, CsvColumns columns)
@@ -100,6 +101,7 @@ class CsvSteps {
   Status take_row(TableStep& step);
   Status meet(sim::BodyId id, const EngineState& state);
   Status describe(sim::BodyId id, const sim::Vec3& size);
+  Status check_description(sim::BodyId id, const Met& met);
   Result<sim::BodyId> read_id();
   Result<sim::Quat> read_orientation();
   Result<EngineState> read_state(sim::BodyId id, double dt);

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "replay/format/not_finite.h"
@@ -14,51 +13,6 @@
 #include "tumble/sim/ids.h"
 
 namespace tumble::replay {
-
-/// Whether the states of a session fit what its engine says of it, whichever way they came: the direction and the size
-/// of gravity, the unit and the sign of velocities and spins, dt, the order of quaternions. Nothing is refused for it.
-class MotionCheck {
- public:
-  /// What the engine gave; the rest was derived, and fits by itself.
-  struct Told {
-    bool velocity = true;
-    bool spin = true;
-  };
-  /// m/s², from now on; in our axes.
-  void set_gravity(const sim::Vec3& gravity) { gravity_ = gravity; }
-  /// The state of a body, in our axes and units. axes: of the engine, for messages.
-  void add(sim::BodyId body, std::uint64_t step, double dt, const EngineState& state, Told told,
-           const EngineAxes& axes);
-  /// Adds a warning, with its remedy, for each thing that most states contradict.
-  void add_to(std::vector<std::string>& out) const;
-
- private:
-  struct Before {
-    std::uint64_t step = 0;
-    double dt = 0;
-    sim::Vec3 position = {0, 0, 0}, velocity = {0, 0, 0}, moved = {0, 0, 0};
-    sim::Quat orientation;
-    sim::Vec3 spin = {0, 0, 0};
-  };
-  /// How many states move as they say.
-  struct Fit {
-    std::uint64_t fitting = 0, off = 0, against = 0;
-    double ratio = 0;  ///< of the first that is off
-    void look(const sim::Vec3& moved, const sim::Vec3& told);
-  };
-  void look_at_fall(const sim::Vec3& change);
-  void add_fall(std::vector<std::string>& out) const;
-  [[nodiscard]] std::optional<std::size_t> down() const;
-
-  std::map<sim::BodyId, Before> before_;
-  EngineAxes axes_;
-  sim::Vec3 gravity_ = {0, 0, 0};
-  std::array<std::uint64_t, 6> falls_ = {};            // states that fall along −x, x, −y, y, −z, z
-  std::array<std::map<int, std::uint64_t>, 6> sizes_;  // of their accelerations: 10·log10, rounded
-  std::uint64_t at_rest_ = 0, scalar_last_ = 0;        // first orientations that are 1 0 0 0, and 0 0 0 1
-  Fit velocities_, spins_;
-  std::uint64_t turns_ = 0, degrees_ = 0;  // states that turn, and that turn as spins in degrees/s
-};
 
 /// Contacts that none can be: a number that is not finite, a normal that is no direction. Keeps the first, and counts.
 class ContactCheck {
@@ -86,6 +40,12 @@ class TableNotes {
   void came_back(const std::string& place, sim::BodyId body, std::uint64_t step);
   /// Bodies of the step before that the last step lacks.
   void short_end(const std::string& place, std::size_t bodies, std::size_t before, sim::BodyId first_missing);
+  /// A later row calls a body otherwise than its first row, whose name the log keeps.
+  void renamed(const std::string& place, sim::BodyId body, std::string_view kept, std::string_view now);
+  /// A body whose id is a text has another text for a name, which the log keeps.
+  void called_twice(const std::string& place, sim::BodyId body, std::string_view id, std::string_view name);
+  /// A new body with a name; two of one name are an oddness.
+  void named(const std::string& place, sim::BodyId body, const std::string& name);
 
   [[nodiscard]] std::vector<std::string> texts() const;
 
@@ -98,6 +58,13 @@ class TableNotes {
   std::string short_end_;
   std::uint64_t back_ = 0;
   std::string first_back_;
+  std::uint64_t renamed_ = 0;
+  std::string first_renamed_;
+  std::uint64_t called_twice_ = 0;
+  std::string first_called_twice_;
+  std::map<std::string, sim::BodyId> names_;
+  std::uint64_t same_names_ = 0;
+  std::string first_same_name_;
 };
 
 }  // namespace tumble::replay

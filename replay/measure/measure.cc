@@ -95,7 +95,7 @@ void Measurer::start(const StepRecord& record) {
 }
 
 void Measurer::measure_state(const StepRecord& record) {
-  row_.state = meter_->measure(record.states, record.step);
+  row_.state = meter_->measure(record.states, record.step, row_.step == begin_ ? 0 : record.dt);
   channels_.add(record.extras);
   row_.channels = channels_.row();
   row_.lost = meter_->lost();

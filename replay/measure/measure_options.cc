@@ -122,7 +122,15 @@ Result<sim::BodyId> parse_body(const std::string& text, const BodyTable& named) 
   const std::optional<sim::BodyId> id = parse_number<sim::BodyId>(text);
   if (id && *id > 0 && *id <= sim::kBodyIdMax && (ids.empty() || ids.front() == *id)) return *id;
   if (ids.size() == 1 && !id) return ids.front();
-  if (ids.size() > 1) return bad_input("found \"" + text + "\", the name of " + std::to_string(ids.size()) + " bodies");
+  if (ids.size() > 1) {
+    return bad_input("found \"" + text + "\", the name of " + std::to_string(ids.size()) +
+                     " bodies, wanted the id of one of them: " + std::to_string(ids[0]) + ", " +
+                     std::to_string(ids[1]) + (ids.size() > 2 ? " …" : ""));
+  }
+  if (!ids.empty() && id) {
+    return bad_input("found \"" + text + "\", the id of a body and the name of body " + std::to_string(ids.front()) +
+                     ", wanted another id");
+  }
   return bad_input("found \"" + text + "\", wanted the id of a body, or its name, which 'tumble dump' shows");
 }
 

@@ -68,6 +68,7 @@ StateMeter::StateMeter(const sim::SceneDef& scene, BodyStates start, const Measu
     const auto row = static_cast<std::size_t>(at - start_.id.begin());
     box.position = start_.position[row];
     box.orientation = start_.orientation[row];
+    box.velocity = start_.velocity[row];
     space_.add(box);
     bodies_.push_back(body_of(box));
     bodies_.back().in_start = true;
@@ -88,6 +89,7 @@ StateMeter::Body StateMeter::body_of(const sim::BoxDef& box) {
     body.inertia = inertia_of(*shape, box.mass, box.size);
   }
   body.measured = !box.is_static && options_.bodies.holds(box);
+  body.given_speed = sim::length(box.velocity);
   return body;
 }
 
@@ -112,10 +114,20 @@ void StateMeter::apply(const sim::Command& input) {
     bodies_.insert(place_of(thrown->box.id), body_of(thrown->box));
     row_ids_.clear();  // bodies_ moved
   }
+  if (const auto* set = std::get_if<sim::SetVelocity>(&input)) give_speed(set->id, sim::length(set->velocity), false);
+  if (const auto* push = std::get_if<sim::Push>(&input)) give_speed(push->id, sim::length(push->impulse), true);
   if (const auto* removed = std::get_if<sim::Remove>(&input)) {
     const auto body = place_of(removed->id);
     if (body != bodies_.end() && body->box.id == removed->id) body->removed = true;
   }
+}
+
+// A speed that an input gives: by an impulse, kg m/s, it adds up.
+void StateMeter::give_speed(sim::BodyId id, double given, bool is_impulse) {
+  const auto body = std::ranges::lower_bound(bodies_, id, {}, [](const Body& one) { return one.box.id; });
+  if (body == bodies_.end() || body->box.id != id || body->box.is_static) return;
+  body->given_speed = is_impulse ? body->given_speed + given / body->box.mass : given;
+  space_.add_speed(body->given_speed);
 }
 
 void StateMeter::lose(Body& body) {
@@ -158,7 +170,8 @@ void StateMeter::find_not_finite(const BodyStates& now, std::uint64_t step) {
   }
 }
 
-StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step) {
+StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step, double dt) {
+  space_.pass(dt);
   find_rows(now);
   if (!all_finite(now)) find_not_finite(now, step);
   std::ranges::fill(grid_rows_, GridRow{kInfinity, -kInfinity, kInfinity, -kInfinity});

@@ -73,7 +73,8 @@ class StateMeter {
 
   /// Measures a state, the one after `step`. Bodies that are defined neither by the scene nor by a throw are left out.
   /// From the first state on in which a chosen or static body is not finite, every measure is NaN.
-  StateMeasures measure(const BodyStates& now, std::uint64_t step = 0);
+  /// dt: of the step that led to it, s.
+  StateMeasures measure(const BodyStates& now, std::uint64_t step = 0, double dt = 0);
 
   /// The deepest overlap of two boxes in a state, at least one of them chosen, m; NaN once any body was not finite.
   /// Slower than all of measure().
@@ -122,6 +123,7 @@ class StateMeter {
     bool removed = false;
     bool lost = false;
     bool not_finite = false;  // in this state or an earlier one
+    double given_speed = 0;   // m/s, by the start and inputs
     std::size_t start_row = 0;
     std::size_t grid_row = kNone;  // index into grid_rows_
   };
@@ -133,6 +135,7 @@ class StateMeter {
 
   [[nodiscard]] Body body_of(const sim::BoxDef& box);
   double deepest_of_shapes(const BodyStates& now);
+  void give_speed(sim::BodyId id, double given, bool is_impulse);
   void number_grid_rows();
   void find_rows(const BodyStates& now);
   void find_not_finite(const BodyStates& now, std::uint64_t step);

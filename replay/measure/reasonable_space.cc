@@ -1,6 +1,7 @@
 #include "replay/measure/reasonable_space.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tumble::replay {
 
@@ -19,15 +20,21 @@ void ReasonableSpace::add(const sim::BoxDef& box) {
   if (!box.position.allFinite() || !reach.allFinite()) return;  // a lost body widens nothing
   low_ = low_.cwiseMin(box.position - reach);
   high_ = high_.cwiseMax(box.position + reach);
+  if (!box.is_static) add_speed(sim::length(box.velocity));
   if (ground_ || !box.is_static) return;
   const double bottom = box.position.z() - reach.z();
   floor_ = floor_ == -kInfinity ? bottom : std::min(floor_, bottom);
 }
 
+void ReasonableSpace::add_speed(double speed) {
+  if (std::isfinite(speed)) fastest_ = std::max(fastest_, speed);
+}
+
 bool ReasonableSpace::holds(const sim::Vec3& centre) const {
   if (!(centre.z() >= floor_)) return false;  // false for NaN
+  const double reach = std::max(kReasonableDistance, (high_ - low_).maxCoeff()) + way_;
   for (int k = 0; k < 3; ++k) {
-    if (!(centre[k] >= low_[k] - kReasonableDistance && centre[k] <= high_[k] + kReasonableDistance)) return false;
+    if (!(centre[k] >= low_[k] - reach && centre[k] <= high_[k] + reach)) return false;
   }
   return true;
 }

@@ -196,7 +196,7 @@ class StreamImporter {
   }
 
   /// The snapshots after step k: the number of the step, the name, the bytes.
-  Result<std::vector<EngineSnapshot>> snapshots(std::uint64_t k) const {
+  Result<std::vector<EngineSnapshot>> snapshots(std::uint64_t k) {
     std::vector<EngineSnapshot> found;
     for (const StreamFrame& frame : stream_.snapshots()) {
       if (frame.step != k) continue;
@@ -205,7 +205,7 @@ class StreamImporter {
       StreamCursor in(*payload);
       (void)in.number<std::uint64_t>();
       EngineSnapshot snapshot;
-      snapshot.name = name_for_log(in.text());
+      snapshot.name = bodies_.kept_name("step " + std::to_string(k) + ": a snapshot's name", in.text());
       const std::span<const std::byte> bytes = in.take(in.left());
       if (!in.ok()) return bad_input("found a snapshot of " + std::to_string(payload->size()) + " bytes, wanted more");
       snapshot.bytes.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -214,7 +214,7 @@ class StreamImporter {
     return found;
   }
 
-  Status tell_snapshots(EngineLog& log, std::uint64_t k) const {
+  Status tell_snapshots(EngineLog& log, std::uint64_t k) {
     const Result<std::vector<EngineSnapshot>> found = snapshots(k);
     if (!found.ok()) return found.error();
     for (const EngineSnapshot& snapshot : *found) {

@@ -77,7 +77,20 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.material.friction = body.friction;
   box.material.restitution = body.restitution;
   keep_within(box);
+  edges_[body.id] = box.size.maxCoeff();
+  kept_name("body " + std::to_string(body.id) + ": the name", body.name);
   return box;
+}
+
+std::string StreamBodies::kept_name(const std::string& what, const std::string& name) {
+  std::string kept = name_for_log(name);
+  if (kept == name) return kept;
+  const std::string found = name.size() > kStreamNameBytesMax
+                                ? count_text(name.size(), "byte")
+                                : "control characters or bytes that are no text, each a ? now";
+  note("a name", what + " is logged as " + in_quotes(kept) + ": " +
+                     found_wanted(found, "at most " + std::to_string(kStreamNameBytesMax) + " bytes of text in UTF-8"));
+  return kept;
 }
 
 void StreamBodies::add(const StreamMesh& mesh) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "replay/import/table_notes.h"
+#include "replay/import/motion.h"
 #include "replay/log/told_values.h"
 #include "replay/stream/stream_step.h"
 #include "tumble/replay/engine_log.h"
@@ -57,12 +57,15 @@ class StreamBodies {
   /// The state that a record tells. Errors (kBadInput): "same" of a body that had no state.
   Result<EngineState> state(const StreamState& state);
 
+  /// A name as the log has it, of which a note tells where it is another. what: "body 9: the name".
+  std::string kept_name(const std::string& what, const std::string& name);
+
   /// Notes the first state with a number that is none.
   void note_not_finite(const StreamState& state, std::uint64_t step);
 
   /// The state of a body after a step of dt, which then counts for what notes() says of the session as a whole.
   void look_at(sim::BodyId id, std::uint64_t step, double dt, const EngineState& state) {
-    plausible_.add(id, step, dt, state, {}, axes_);
+    plausible_.add(id, step, dt, state, {}, edges_[id], axes_);
   }
 
   /// The values that were cut since the last call, but the motions of the start, which start_states() has.
@@ -103,6 +106,7 @@ class StreamBodies {
 
   EngineAxes axes_;
   std::map<std::uint64_t, EngineState> last_;
+  std::map<std::uint64_t, double> edges_;       // m, the longest of each body
   std::map<std::uint64_t, StreamMesh> meshes_;  // by hash
   /// The first few notes of one kind, and the number of all.
   struct Notes {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/import/table_notes.h"
 #include "replay/stream/stream_bodies.h"
 #include "replay/stream/stream_step.h"
 #include "tumble/replay/engine_log.h"

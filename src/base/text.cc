@@ -127,10 +127,13 @@ std::string printable(std::string_view text) {
 }
 
 std::string shortened(std::string_view text) {
-  std::string out(text.substr(0, kShownLength));
-  std::ranges::replace_if(
-      out, [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
-  return text.size() > kShownLength ? out + "…" : out;
+  std::size_t end = 0;  // behind whole characters
+  while (end < text.size()) {
+    const std::size_t length = std::max<std::size_t>(utf8_at(text, end).length, 1);
+    if (end + length > kShownLength) break;
+    end += length;
+  }
+  return printable(text.substr(0, end)) + (end < text.size() ? "…" : "");
 }
 
 std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", shortened(text)); }

@@ -44,7 +44,7 @@ std::string found_wanted(std::string_view found, std::string_view wanted);
 /// direction of writing: text from a file must not drive the terminal.
 std::string printable(std::string_view text);
 
-/// The first 60 bytes, with '?' for control characters and for everything beyond ASCII.
+/// printable() of at most the first 60 bytes, in whole characters, with "…" where there are more.
 std::string shortened(std::string_view text);
 
 /// shortened() in double quotes.

@@ -37,6 +37,9 @@ TEST(Advice, AnOptionThatIsNearlyRightIsNamed) {
     EXPECT_TRUE(holds(outcome.err, hint)) << outcome.err;
   }
   EXPECT_FALSE(holds(shop.run({"record", "a.toml", "--frobnicate"}).err, "did you mean"));
+  const std::string dash = shop.run({"info", "-x.tumble"}).err;
+  EXPECT_TRUE(holds(dash, "found \"-x.tumble\", which is no option; wanted ./-x.tumble for a file of that name"))
+      << dash;
 }
 
 // A scene of cubes of 1 m.
@@ -53,7 +56,9 @@ std::string warnings_of(const std::vector<std::string>& boxes, const std::string
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["warnings"].empty(), outcome.err.empty()) << outcome.err;
-  EXPECT_EQ(shop.run({"record", "w.toml", "--quiet"}).err, "");
+  const Outcome quiet = shop.run({"record", "w.toml", "--quiet"});
+  EXPECT_EQ(quiet.err, outcome.err) << "--quiet hides no warning";
+  EXPECT_EQ(quiet.out, "");
   return outcome.err;
 }
 
@@ -189,6 +194,18 @@ TEST(Advice, ABoxInABoxIsNamedByBothMethods) {
         holds(warnings_of(boxes, method), "bodies 1 and 2 overlap by 0.8 m at the start and will be pushed apart"))
         << warnings_of(boxes, method);
   }
+}
+
+// Nothing but other masses helps: neither dt nor substeps, which the warning of a coarse step advises.
+TEST(Advice, AHeavyBoxOnAMuchLighterOneIsNamedWhateverDt) {
+  const auto warned = [](const std::string& light, const std::string& heavy, const std::string& more = "") {
+    return warnings_of({"position = [0, 0, 0.5]\nmass = " + light, "position = [0, 0, 1.5]\nmass = " + heavy + more});
+  };
+  EXPECT_TRUE(holds(warned("0.001", "1e6"),
+                    "body 2 is 1e+09 times as heavy as body 1, which it touches at the start: beyond 1e+07 times"))
+      << warned("0.001", "1e6");
+  EXPECT_EQ(warned("0.001", "1e3"), "");
+  EXPECT_EQ(warned("0.001", "1e6", "\nstatic = true"), "");
 }
 
 TEST(Advice, AStackThatStandsIsNone) {

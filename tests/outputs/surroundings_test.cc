@@ -46,6 +46,19 @@ TEST(Surroundings, ARemovedFolderIsAnError) {
   EXPECT_EQ(shop.run_after("mkdir g; cd g; rmdir ../g; ", {"--version"}).exit, 0);
 }
 
+// A canary that cannot write its files would tell that the build cannot be trusted.
+TEST(Surroundings, ANonexistentPlaceForTemporaryFilesIsAnError) {
+  const Workshop shop;
+  shop.record_small("a");
+  for (const Words& words :
+       {Words{"check", "bounce"}, Words{"bless", "bounce", "--reason", "x"}, Words{"bench", "export"},
+        Words{"hunt", "--count", "1"}, Words{"bisect", "--good", "a", "--bad", "b", "a.tumble"}}) {
+    expect_reason(shop.run_after("export TMPDIR=/none; ", words), "TMPDIR: ");
+  }
+  EXPECT_EQ(shop.names_with("tumble-").size(), 0U) << "nothing is written here instead";
+  EXPECT_EQ(shop.run_after("export TMPDIR=/none; ", {"info", "a.tumble"}).exit, 0) << "needs none";
+}
+
 #if !defined(__SANITIZE_ADDRESS__)
 TEST(Surroundings, AWrongFloatingPointEnvironmentIsAnError) {
   const Workshop shop;

@@ -102,6 +102,30 @@ TEST(OddStream, NamesThatNoLogHoldsCostNoSession) {
   }
 }
 
+TEST(OddStream, NamesOfBodiesAndSnapshotsThatNoLogHoldsAreSaid) {
+  const auto named = [&](TumbleRec* rec) {
+    TumbleRecBody odd = small_cube(5), plain = small_cube(7);
+    odd.name = "a\nb", plain.name = "Würfel";
+    for (const TumbleRecBody* body : {&odd, &plain}) ASSERT_EQ(tumble_rec_body(rec, body), TUMBLE_REC_OK);
+    tumble_rec_step_begin(rec, 0.0625);
+    for (const std::uint64_t id : {1U, 5U, 7U}) {
+      const TumbleRecState state = state_at(id, 1);
+      tumble_rec_state(rec, id, &state);
+    }
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_snapshot(rec, "s\ttate", "x", 1), TUMBLE_REC_OK);
+  };
+  Result<Imported> got = import_bytes(record(1, 0, named));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->log.bodies().name(5), "a?b");
+  EXPECT_EQ(got->log.bodies().name(7), "Würfel");
+  for (const char* text : {"body 5: the name is logged as \"a?b\": found control characters or bytes that are no text",
+                           "a snapshot's name is logged as \"s?tate\""}) {
+    EXPECT_TRUE(mentions(got->import.warnings, text)) << text;
+  }
+  EXPECT_FALSE(mentions(got->import.warnings, "body 7")) << "a name that a log holds";
+}
+
 // An input called as the second of another input's name has its own channel.
 TEST(OddStream, InputsOfNamesThatMeetStayApart) {
   const auto named = [](TumbleRec* rec) {

@@ -223,5 +223,13 @@ TEST(ImportArrays, DamagedArchivesAreRefusedAndNothingWorse) {
   EXPECT_NE(read_npz("PK", "t.npz").error().message.find("t.npz: is no archive"), std::string::npos);
 }
 
+TEST(ImportArrays, TwoArraysOfOneNameAreAnError) {
+  std::string twice = file_text("robot.npz");
+  for (std::size_t at = 0; (at = twice.find("ctrl.npy")) != std::string::npos;) twice.replace(at, 4, "seed");
+  const Result<std::vector<Array>> arrays = read_npz(twice, "t.npz");
+  ASSERT_FALSE(arrays.ok());
+  EXPECT_EQ(arrays.error().message, "t.npz: array \"seed\": found twice in the archive, wanted once");
+}
+
 }  // namespace
 }  // namespace tumble::replay

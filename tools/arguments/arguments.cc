@@ -47,6 +47,20 @@ class HelpFormat : public CLI::Formatter {
   }
 };
 
+// "; found -x.tumble, which is no option; …" where a word, as the name of a file, begins like a short option.
+std::string is_like_an_option(const CLI::App& app, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word == "--") break;
+    if (word.size() < 2 || word[0] != '-' || word[1] == '-') continue;
+    const bool known = std::ranges::any_of(app.get_options(), [&](const CLI::Option* option) {
+      return std::ranges::find(option->get_snames(), std::string(1, word[1])) != option->get_snames().end();
+    });
+    if (!known)
+      return "; found " + in_quotes(word) + ", which is no option; wanted ./" + word + " for a file of that name";
+  }
+  return "";
+}
+
 // "; did you mean --seconds?" where a word begins like an option and is none.
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
   std::vector<std::string> names;
@@ -60,7 +74,7 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
     const std::string_view nearest = nearest_word(name, candidates);
     if (!nearest.empty()) return "; did you mean " + std::string(nearest) + "?";
   }
-  return "";
+  return is_like_an_option(app, words);
 }
 
 // An empty variable of a script must not pass for an option that was not given.
@@ -99,6 +113,16 @@ Arguments::~Arguments() = default;
 
 Argument Arguments::positional(const std::string& name, std::string& target, const std::string& description) {
   return Argument(app_->add_option(name, target, description)->type_name(""));
+}
+
+Argument Arguments::positional(const std::string& name, std::string& target,
+                               const std::vector<std::string_view>& words) {
+  words_[name] = {words.begin(), words.end()};
+  const std::string wanted = list_text(words);
+  const auto check = [known = words_[name], wanted](const std::string& text) {
+    return std::ranges::find(known, text) == known.end() ? found_wanted(in_quotes(text), wanted) : "";
+  };
+  return Argument(app_->add_option(name, target, wanted)->type_name("")->check(check));
 }
 
 Argument Arguments::positionals(const std::string& name, std::vector<std::string>& target,
@@ -160,6 +184,7 @@ std::vector<ArgumentText> Arguments::listed() const {
     text.description = option->get_description();
     text.required = option->get_required();
     text.repeats = option->get_items_expected_max() > 1;
+    if (const auto words = words_.find(text.names.front()); words != words_.end()) text.words = words->second;
     arguments.push_back(std::move(text));
   }
   return arguments;

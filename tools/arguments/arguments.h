@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -42,7 +44,8 @@ struct ArgumentText {
   std::string sign;                ///< what stands for the value, as in "FILE"; empty: takes none, or a positional
   std::string description;
   bool required = false;
-  bool repeats = false;  ///< may be given more than once
+  bool repeats = false;                 ///< may be given more than once
+  std::vector<std::string> words = {};  ///< the only values; empty: any
 
   [[nodiscard]] bool positional() const { return !names.front().starts_with('-'); }
 };
@@ -57,6 +60,9 @@ class Arguments {
   ~Arguments();
 
   Argument positional(const std::string& name, std::string& target, const std::string& description);
+
+  /// One of these words, which are its description too.
+  Argument positional(const std::string& name, std::string& target, const std::vector<std::string_view>& words);
 
   /// Takes every further word of the command line.
   Argument positionals(const std::string& name, std::vector<std::string>& target, const std::string& description);
@@ -95,6 +101,7 @@ class Arguments {
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::map<std::string, std::vector<std::string>> words_;  // of arguments with a few, by their names
 };
 
 }  // namespace tumble::tools

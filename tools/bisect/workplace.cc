@@ -22,7 +22,10 @@ constexpr const char* kLockFile = "bisect.lock";
 
 Result<std::string> default_folder(const std::string& fingerprint) {
   std::error_code error;
-  const std::string ours = (fs::temp_directory_path(error) / ("tumble-bisect-" + std::to_string(geteuid()))).string();
+  const fs::path place = fs::temp_directory_path(error);
+  if (error)
+    return cannot_finish("TMPDIR: names no folder, wanted one for the clone and the answers; or name one with --work");
+  const std::string ours = (place / ("tumble-bisect-" + std::to_string(geteuid()))).string();
   if (Status ok = make_private(ours, "--work"); !ok.ok()) return ok.error();
   const Hash128 hash = hash_bytes(std::as_bytes(std::span(fingerprint)));
   return ours + '/' + to_string(hash).substr(0, 16);

@@ -2,11 +2,13 @@
 #include "tools/bench/bench.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "golden/suite/temporary_folder.h"
 #include "src/base/text.h"
 #include "src/files/output_guard.h"
 #include "tools/arguments/arguments.h"
@@ -51,13 +53,46 @@ Status check_belonging(const BenchOptions& options) {
   return {};
 }
 
-const std::vector<std::string_view> kBenchmarks = {"peers", "table1", "accuracy", "scaling", "memory", "live",
-                                                   "view",  "export", "phases",   "threads", "record", "render"};
+/// A benchmark by its name.
+struct Benchmark {
+  std::string_view name;
+  Result<Exit> (*run)(const BenchOptions& options);
+  bool has_files = false;  // of its own, in the place for temporary ones
+};
+
+Result<Exit> bench_threads(const BenchOptions& options) {
+  std::vector<std::string> words = options.scenes;
+  if (options.measure) words.emplace_back("--measure");
+  return bench_program("thread_model", words);
+}
+
+constexpr std::array kBenchmarks = {
+    Benchmark{"peers", bench_peers, true},
+    Benchmark{"table1", bench_table1, true},
+    Benchmark{"accuracy", bench_accuracy, true},
+    Benchmark{"scaling", bench_scaling},
+    Benchmark{"memory", bench_memory},
+    Benchmark{"live", bench_live, true},
+    Benchmark{"view", bench_view, true},
+    Benchmark{"export", bench_export, true},
+    Benchmark{"phases", [](const BenchOptions&) { return bench_program("step_bench", {}); }},
+    Benchmark{"threads", bench_threads},
+    Benchmark{"record", [](const BenchOptions&) { return bench_program("log_bench", {}); }},
+    Benchmark{"render",
+              [](const BenchOptions&) {
+                return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
+              }},
+};
+
+std::vector<std::string_view> benchmark_names() {
+  std::vector<std::string_view> names;
+  names.reserve(kBenchmarks.size());
+  for (const Benchmark& benchmark : kBenchmarks) names.push_back(benchmark.name);
+  return names;
+}
 
 Result<Exit> bench(const BenchOptions& options) {
-  if (std::ranges::find(kBenchmarks, options.what) != kBenchmarks.end()) {
-    if (Status ok = check_belonging(options); !ok.ok()) return ok.error();
-  }
+  if (Status ok = check_belonging(options); !ok.ok()) return ok.error();
   if (!options.method.empty() && options.method != "thesis" && options.method != "layered") {
     return bad_input("--method: found " + in_quotes(options.method) + ", wanted thesis or layered");
   }
@@ -74,35 +109,18 @@ Result<Exit> bench(const BenchOptions& options) {
   if (!options.save.empty()) {
     if (Status ok = claim_output(guard, "--save", options.save, files::FileKind::kJson); !ok.ok()) return ok.error();
   }
-  if (options.what == "peers") return bench_peers(options);
-  if (options.what == "table1") return bench_table1(options);
-  if (options.what == "accuracy") return bench_accuracy(options);
-  if (options.what == "scaling") return bench_scaling(options);
-  if (options.what == "memory") return bench_memory(options);
-  if (options.what == "live") return bench_live(options);
-  if (options.what == "view") return bench_view(options);
-  if (options.what == "export") return bench_export(options);
-  if (options.what == "phases") return bench_program("step_bench", {});
-  if (options.what == "threads") {
-    std::vector<std::string> words = options.scenes;
-    if (options.measure) words.emplace_back("--measure");
-    return bench_program("thread_model", words);
+  const auto* const found = std::ranges::find(kBenchmarks, options.what, &Benchmark::name);  // Arguments took no other
+  if (found->has_files) {
+    if (const Status ok = golden::check_temporary_place(); !ok.ok()) return ok.error();
   }
-  if (options.what == "record") return bench_program("log_bench", {});
-  if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
-  return bad_input(
-      "found " + in_quotes(options.what) +
-      ", wanted peers, table1, accuracy, scaling, memory, live, view, export, phases, threads, record or render");
+  return found->run(options);
 }
 
 }  // namespace
 
 Action declare_bench(Arguments& arguments) {
   auto options = std::make_shared<BenchOptions>();
-  arguments
-      .positional("WHAT", options->what,
-                  "peers, table1, accuracy, scaling, memory, live, view, export, phases, threads, record or render")
-      .required();
+  arguments.positional("WHAT", options->what, benchmark_names()).required();
   arguments.whole("--repeat", "N", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)");
   arguments.positive(
       "--budget", "S", options->budget, 1e6,

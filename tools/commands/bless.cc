@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "golden/bless/bless_log.h"
+#include "golden/suite/temporary_folder.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -54,6 +55,7 @@ Result<golden::BlessReport> run(const BlessCommand& options) {
 }
 
 Result<Exit> bless(const BlessCommand& options) {
+  if (const Status ok = golden::check_temporary_place(); !ok.ok()) return ok.error();
   const process::InterruptGuard guard;
   const Result<golden::BlessReport> report = run(options);
   if (!report.ok()) return report.error();

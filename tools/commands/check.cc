@@ -15,6 +15,7 @@
 #include "golden/report/annotations.h"
 #include "golden/report/report_json.h"
 #include "golden/report/report_place.h"
+#include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
 #include "src/process/interrupt.h"
@@ -130,6 +131,7 @@ Result<Exit> check(const CheckCommand& options) {
   Result<golden::CheckOptions> how = check_options(options);
   if (!how.ok()) return how.error();
   if (options.merge) return merge(options);
+  if (const Status ok = golden::check_temporary_place(); !ok.ok()) return ok.error();
   const process::InterruptGuard guard;
   ProgressBar bar("checking");
   how->progress = [&](const golden::CaseResult& one, std::size_t done, std::size_t total) {

@@ -16,6 +16,7 @@
 #include "golden/hunt/corpus.h"
 #include "golden/hunt/judge/relation.h"
 #include "golden/hunt/merge_hunts.h"
+#include "golden/suite/temporary_folder.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -86,6 +87,7 @@ Result<hunt::HuntOptions> hunt_options(const HuntCommand& options) {
 }
 
 Result<Exit> judge_folder(const HuntCommand& options) {
+  if (const Status ok = golden::check_temporary_place(); !ok.ok()) return ok.error();
   const process::InterruptGuard guard;
   const Result<hunt::HuntOptions> how = hunt_options(options);
   if (!how.ok()) return how.error();
@@ -143,6 +145,7 @@ Result<Exit> merge(const HuntCommand& options) {
 }
 
 Result<Exit> hunt_for(const HuntCommand& options) {
+  if (const Status ok = golden::check_temporary_place(); !ok.ok()) return ok.error();
   if (options.list) {
     options.json ? print_json("hunt", relations_json()) : print_relations();
     return Exit::kSame;

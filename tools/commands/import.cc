@@ -122,7 +122,7 @@ void print_result(const ImportCommand& options, const std::string& output, const
     std::string names;
     for (const replay::Channel& channel : header.declared.channels) {
       names += (names.empty() ? "" : ", ") + channel.name + " (" + name_of(channel.type.kind) + ", " +
-               name_of(channel.type.scope) + ")";
+               name_of(channel.type.scope) + (channel.unit.empty() ? ")" : ", in " + channel.unit + ")");
     }
     listing.add("channels", printable(names));
   }
@@ -231,9 +231,7 @@ Result<Exit> import_command(const ImportCommand& options) {
   if (!summary.ok()) return summary.error();
   const Result<replay::LogReader> log = replay::LogReader::open(output);
   if (!log.ok()) return log.error();
-  if (!options.quiet) {
-    for (const std::string& warning : warnings) std::cerr << "tumble import: warning: " << printable(warning) << '\n';
-  }
+  for (const std::string& warning : warnings) std::cerr << "tumble import: warning: " << printable(warning) << '\n';
   if (options.quiet && !options.json) return Exit::kSame;
   print_result(options, output, *summary, log->header(), warnings);
   return Exit::kSame;
@@ -262,7 +260,7 @@ Action declare_import(Arguments& arguments) {
   arguments.flag("--channels", options->channels, "Make a channel of every column that the format does not know");
   arguments.option("--like", "LOG", options->like,
                    "Take sizes, masses, gravity, dt and camera from this log where the table lacks them");
-  arguments.flag("--quiet", options->quiet, "Print nothing but errors");
+  arguments.flag("--quiet", options->quiet, "Print no result and no progress, only warnings and errors");
   arguments.json(options->json);
   arguments.footer(
       "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x … (angular velocity),\n"

@@ -135,17 +135,15 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
   if (!done.ok()) return done.error();
   if (Status ok = file->commit(); !ok.ok()) return ok.error();
   advise_about_tail(files, *stream, *done);
-  if (!files.quiet) {
-    for (const std::string& warning : done->warnings)
-      std::cerr << "tumble import: warning: " << printable(warning) << '\n';
-  }
+  for (const std::string& warning : done->warnings)
+    std::cerr << "tumble import: warning: " << printable(warning) << '\n';
   if (!done->refused.empty()) {
     const std::uint64_t last = stream->steps().front().step + done->log.steps;
     return bad_input(done->refused + "; the log holds the steps before, up to " + std::to_string(last));
   }
   if (files.json) print_json_result(files, *stream, *done);
   if (!files.json && !files.quiet) print_listing(files, *stream, *done);
-  if (done->rollbacks.first && !files.quiet) {
+  if (done->rollbacks.first) {
     std::cerr << "tumble import: warning: rollback: " << printable(replay::describe(done->rollbacks)) << '\n';
   }
   return stream->condition().damage ? Exit::kDamaged : Exit::kSame;

@@ -221,9 +221,7 @@ Result<Exit> record(const RecordCommand& options) {
   if (options.from.empty()) advice = replay::start_warnings((*recorder)->world().state(), (*recorder)->scene().inputs);
   if (std::string text = inputs_left_out(options.scene, options.overrides, (*recorder)->scene()); !text.empty())
     advice.push_back(std::move(text));
-  for (const std::string& warning : advice) {
-    if (!options.quiet) std::cerr << "tumble record: warning: " << warning << '\n';
-  }
+  for (const std::string& warning : advice) std::cerr << "tumble record: warning: " << printable(warning) << '\n';
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   (*recorder)->use(threads.get());
   const Result<Recorded> session = run_session(path, **recorder, options);
@@ -267,7 +265,7 @@ Action declare_record(Arguments& arguments) {
       .needs(realtime);
   add_kept(arguments, options->kept);
   arguments.json(options->json);
-  arguments.flag("--quiet", options->quiet, "Print nothing but errors");
+  arguments.flag("--quiet", options->quiet, "Print no result and no progress, only warnings and errors");
   arguments.footer(
       "Examples:\n"
       "  tumble record brick_wall\n"

@@ -1,5 +1,7 @@
 #include "tools/manual/completion.h"
 
+#include <algorithm>
+
 #include "src/base/text.h"
 
 namespace tumble::tools {
@@ -18,6 +20,18 @@ std::string option_names(const ManualEntry& command) {
     for (const std::string& name : argument.names) names += (names.empty() ? "" : " ") + name;
   }
   return names;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+/// The words of which a command's first argument is one; empty where any file may stand there.
+std::string words_of(const ManualEntry& command) {
+  const auto positional = std::ranges::find_if(command.arguments, &ArgumentText::positional);
+  return positional == command.arguments.end() ? "" : joined(positional->words);
 }
 
 // Text inside single quotes of a shell; zsh also reads colons and brackets in it.
@@ -40,7 +54,7 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
   std::string text =
       "# bash completion of tumble\n"
       "_tumble() {\n"
-      "  local word=${COMP_WORDS[COMP_CWORD]} options=\"\"\n"
+      "  local word=${COMP_WORDS[COMP_CWORD]} options=\"\" words=\"\"\n"
       "  COMPREPLY=()\n"
       "  if ((COMP_CWORD == 1)) || { ((COMP_CWORD == 2)) && [[ ${COMP_WORDS[1]} == help ]]; }; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W '" +
@@ -50,18 +64,23 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
       "  fi\n"
       "  case ${COMP_WORDS[1]} in\n";
   for (const ManualEntry& command : commands) {
-    text += "    " + command.name + ") options='" + option_names(command) + "' ;;\n";
+    text += "    " + command.name + ") options='" + option_names(command) + "' words='" + words_of(command) + "' ;;\n";
   }
   return text +
          "  esac\n"
          "  if [[ $word == -* ]]; then\n"
          "    mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\")\n"
+         "  elif ((COMP_CWORD == 2)); then\n"
+         "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
          "  fi\n"
          "}\n"
          "complete -o bashdefault -o default -F _tumble tumble\n";
 }
 
 std::string zsh_argument(const ArgumentText& argument) {
+  if (argument.positional() && !argument.words.empty()) {
+    return "':" + argument.names.front() + ":(" + joined(argument.words) + ")'";
+  }
   if (argument.positional()) return std::string("'") + (argument.repeats ? "*" : "") + ":file:_files'";
   const std::string help = '[' + single_quoted(argument.description, true) + ']';
   const std::string value = argument.sign.empty() ? "" : ':' + single_quoted(argument.sign, true) + ":_files";
@@ -104,6 +123,9 @@ std::string for_fish(const std::vector<ManualEntry>& commands) {
   for (const ManualEntry& command : commands) {
     text += "complete -c tumble -n __fish_use_subcommand -f -a " + command.name + " -d '" +
             single_quoted(command.summary, false) + "'\n";
+    if (const std::string words = words_of(command); !words.empty()) {
+      text += "complete -c tumble -n '__fish_seen_subcommand_from " + command.name + "' -f -a '" + words + "'\n";
+    }
     for (const ArgumentText& argument : command.arguments) {
       if (argument.positional()) continue;
       text += "complete -c tumble -n '__fish_seen_subcommand_from " + command.name + "'";

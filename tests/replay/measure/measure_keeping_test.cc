@@ -161,6 +161,48 @@ TEST(ReasonableSpace, EndsFarFromWhereBodiesBegan) {
   EXPECT_FALSE(space.holds({0, 0, 1002}));
 }
 
+// What belongs far away is not lost there: a scene of 5 km has room of its own size, and a shot has its way.
+TEST(ReasonableSpace, ReachesAsFarAsTheSceneIsWideAndAsBodiesAreSent) {
+  ReasonableSpace wide(true);
+  wide.add(box(1, {0, 0, 1}));
+  wide.add(box(2, {5000, 0, 1}));
+  EXPECT_TRUE(wide.holds({2500, 4900, 1}));
+  EXPECT_TRUE(wide.holds({2500, 0, 3000}));
+  EXPECT_FALSE(wide.holds({2500, 5100, 1}));
+  ReasonableSpace shot(true);
+  BoxDef ball = box(1, {0, 0, 1});
+  ball.velocity = {0, 300, 400};
+  shot.add(ball);
+  shot.pass(2);
+  EXPECT_TRUE(shot.holds({0, 0, 1990}));
+  EXPECT_FALSE(shot.holds({0, 0, 2010}));
+  shot.add_speed(1000);
+  shot.pass(1);
+  EXPECT_TRUE(shot.holds({0, -2990, 1}));
+  EXPECT_FALSE(shot.holds({0, -3010, 1}));
+}
+
+// The speeds that inputs give count from then on; pushes of one body add up.
+TEST(MeasureKeeping, ABodyThatInputsSendFarIsNotLost) {
+  const auto lost = [](const std::vector<sim::Command>& inputs) {
+    const BoxDef start = box(1, {0, 0, 1});
+    BoxDef far = start;
+    far.position = {0, 1500, 1};
+    StateMeter meter(scene_of({start}), states_of({start}));
+    static_cast<void>(meter.measure(states_of({start})));
+    for (const sim::Command& input : inputs) meter.apply(input);
+    static_cast<void>(meter.measure(states_of({far}), 1, 1));
+    return meter.lost();
+  };
+  EXPECT_EQ(lost({}), 1U);
+  EXPECT_EQ(lost({sim::SetVelocity{1, {0, 600, 0}, {0, 0, 0}}}), 0U);
+  EXPECT_EQ(lost({sim::SetVelocity{1, {0, 400, 0}, {0, 0, 0}}}), 1U);
+  const double mass = box(1, {0, 0, 1}).mass;
+  const sim::Push push = {1, {0, 300 * mass, 0}};
+  EXPECT_EQ(lost({push}), 1U);
+  EXPECT_EQ(lost({push, push}), 0U);
+}
+
 TEST(MeasureKeeping, ABodyThatVanishesIsLostUnlessAnInputTookIt) {
   const std::vector<BoxDef> both = {box(1, {0, 0, 1}), box(2, {5, 0, 1})};
   for (const bool asked : {false, true}) {

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tumble/replay/engine_log.h"
+#include "tumble/replay/imported_table.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/rotation.h"
+
+/// Rotations from Euler angles, and velocities from positions, for tables that lack quaternions or velocities; and
+/// whether states move as their engine says.
+namespace tumble::replay {
+
+/// A sequence of three axes. Capital letters (intrinsic): each turn is about the axes as the turns before left them.
+/// Small letters (extrinsic): about the world's axes. "XYZ" turns about x, then the new y, then the new z.
+struct EulerOrder {
+  std::array<int, 3> axes = {0, 1, 2};
+  bool intrinsic = true;
+};
+
+/// Reads "XYZ", "zyx" and so on. None: other letters, two equal neighbours, mixed case.
+std::optional<EulerOrder> parse_euler(std::string_view text);
+
+/// The orientation after three turns, by sin_cos_degrees(). angles: degrees, in the order of the axes. A number that is
+/// not finite gives an orientation of NaN.
+sim::Quat orientation_of(const EulerOrder& order, const std::array<double, 3>& degrees);
+
+/// Derives velocities and spins from the states of two steps. A body without a state in the step before has none: 0.
+class DerivedMotion {
+ public:
+  /// Fills in what the table lacks. dt: s, since the step before.
+  void derive(sim::BodyId id, std::uint64_t step, double dt, bool velocity, bool spin, EngineState& state);
+
+ private:
+  struct Before {
+    std::uint64_t step = 0;
+    sim::Vec3 position = {0, 0, 0};
+    sim::Quat orientation;
+  };
+  std::map<sim::BodyId, Before> before_;
+};
+
+/// Whether the states of a session fit what its engine says of it, whichever way they came: the direction and the size
+/// of gravity, the unit and the sign of velocities and spins, dt, the order of quaternions; and whether bodies leap.
+/// Nothing is refused for it.
+class MotionCheck {
+ public:
+  /// What the engine gave; the rest was derived, and fits by itself.
+  struct Told {
+    bool velocity = true;
+    bool spin = true;
+    bool quaternion = true;  ///< else the orientation was made of angles
+  };
+  /// m/s², from now on; in our axes.
+  void set_gravity(const sim::Vec3& gravity) { gravity_ = gravity; }
+  /// The state of a body, in our axes and units. edge: the body's longest, m. axes: of the engine, for messages.
+  void add(sim::BodyId body, std::uint64_t step, double dt, const EngineState& state, Told told, double edge,
+           const EngineAxes& axes);
+  /// Adds a warning, with its remedy, for each thing that most states contradict, and for leaps.
+  void add_to(std::vector<std::string>& out) const;
+
+ private:
+  struct Before {
+    std::uint64_t step = 0;
+    double dt = 0;
+    sim::Vec3 position = {0, 0, 0}, velocity = {0, 0, 0}, moved = {0, 0, 0};
+    sim::Quat orientation;
+    sim::Vec3 spin = {0, 0, 0};
+    std::optional<double> way, way_before;  ///< m, moved in this step and in the one before
+    std::optional<sim::Vec3> change;        ///< m/s², of the velocity
+  };
+  /// How many states move as they say.
+  struct Fit {
+    std::uint64_t fitting = 0, off = 0, against = 0;
+    double ratio = 0;  ///< of the first that is off
+    void look(const sim::Vec3& moved, const sim::Vec3& told);
+    [[nodiscard]] std::uint64_t all() const { return fitting + off + against; }
+    [[nodiscard]] bool mostly_fits() const;
+  };
+  /// A body that moves much farther in one step than in the steps beside it.
+  struct Leap {
+    sim::BodyId body = 0;
+    std::uint64_t step = 0;
+    double way = 0, beside = 0;  ///< m
+  };
+  void look_at_order(const sim::Quat& q, bool is_first);
+  void look_at_fall(const sim::Vec3& change, const sim::Vec3& before);
+  void look_at_turn(const Before& before, const EngineState& state, double dt, bool is_quaternion);
+  void look_at_leap(sim::BodyId body, const Before& before, double way, double edge);
+  [[nodiscard]] std::string wrong_order() const;
+  void add_fall(std::vector<std::string>& out) const;
+  [[nodiscard]] std::optional<std::size_t> down() const;
+
+  std::map<sim::BodyId, Before> before_;
+  EngineAxes axes_;
+  sim::Vec3 gravity_ = {0, 0, 0};
+  std::array<std::uint64_t, 6> falls_ = {};            // states that fall along −x, x, −y, y, −z, z
+  std::array<std::map<int, std::uint64_t>, 6> sizes_;  // of their accelerations: 10·log10, rounded
+  std::uint64_t at_rest_ = 0, scalar_last_ = 0;        // first orientations that are 1 0 0 0, and 0 0 0 1
+  std::uint64_t states_ = 0, half_turns_ = 0;          // all, and those turned by 180° about a slanting axis
+  Fit velocities_, spins_, spins_of_scalar_last_;
+  std::uint64_t turns_ = 0, degrees_ = 0;  // states that turn, and that turn as spins in degrees/s
+  Leap leap_;                              // the first
+  std::uint64_t leaps_ = 0;
+};
+
+}  // namespace tumble::replay
