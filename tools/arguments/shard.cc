@@ -12,6 +12,7 @@ namespace tumble::tools {
 namespace {
 
 constexpr std::uint64_t kShardsMax = 10'000;
+constexpr const char* kWanted = "wanted K/N with K from 1 to N, and N at most 10000, as in 2/5";
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
@@ -41,7 +42,7 @@ Result<Shard> shard_of_pair(const char* part, const char* parts, std::uint64_t f
 Result<Shard> shard_of_environment() {
   if (const std::string text = variable("TUMBLE_SHARD"); !text.empty()) {
     if (const std::optional<Shard> shard = shard_of(text)) return *shard;
-    return bad_input("--shard auto: TUMBLE_SHARD=" + in_quotes(text) + ": wanted K/N with K from 1 to N, as in 2/5");
+    return bad_input("--shard auto: TUMBLE_SHARD=" + in_quotes(text) + ": " + kWanted);
   }
   if (!variable("CI_NODE_TOTAL").empty()) return shard_of_pair("CI_NODE_INDEX", "CI_NODE_TOTAL", 1);
   if (!variable("TEST_TOTAL_SHARDS").empty()) {
@@ -63,7 +64,7 @@ Result<Shard> read_shard(const std::string& text) {
   if (text.empty()) return Shard{};
   if (text == "auto") return shard_of_environment();
   if (const std::optional<Shard> shard = shard_of(text)) return *shard;
-  return bad_input("--shard: found " + in_quotes(text) + ", wanted K/N with K from 1 to N, as in 2/5, or auto");
+  return bad_input("--shard: found " + in_quotes(text) + ", " + kWanted + ", or auto");
 }
 
 }  // namespace tumble::tools
