@@ -6,6 +6,7 @@
 #include "src/kernels/body_kernels_impl.h"
 #include "src/kernels/box_tests_impl.h"
 #include "src/kernels/contacts/contact_prepare_impl.h"
+#include "src/kernels/contacts/contact_renew_impl.h"
 #include "src/kernels/contacts/contact_solve_impl.h"
 #include "src/kernels/contacts/contact_visits_impl.h"
 #include "src/kernels/ground_collisions_impl.h"
