@@ -2,11 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 #include "tests/support/program.h"
@@ -17,11 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 // Another build of tumble, whose gravity is weaker by a thousandth.
 std::string other_build(const Workshop& shop) {
@@ -125,36 +116,6 @@ TEST(Hunt, GrowsACorpusThatCanBeJudged) {
   EXPECT_EQ(shop.run({"hunt", "--judge", "corpus"}).exit, 2);
   EXPECT_EQ(shop.run({"hunt", "--judge", "none"}).exit, 2);
   EXPECT_EQ(shop.run({"hunt", "--merge", "corpus"}).exit, 2);
-}
-
-// Each scene of tests/data/hunt_known breaks the relation that its name begins with, and docs/hunting.md lists it. A
-// scene that breaks nothing any more is mended and moves to tests/data/hunt.
-TEST(Hunt, KnownFailuresAreFoundAndListed) {
-  const Workshop shop;
-  const std::filesystem::path folder = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/data/hunt_known";
-  const Outcome judged = shop.run({"hunt", "--judge", folder.string(), "--json"});
-  ASSERT_EQ(judged.exit, 1) << judged.err;
-  std::map<std::string, std::string> broken;
-  const Json report = Json::parse(judged.out);
-  for (const Json& one : report.at("broken")) {
-    broken[std::filesystem::path(one.at("file").get<std::string>()).stem()] += one.at("relation").get<std::string>();
-  }
-  const std::string page = text_of(std::filesystem::path(TUMBLE_SOURCE_DIR) / "docs/hunting.md");
-  std::size_t scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().stem();
-    EXPECT_EQ(broken[name], name.substr(0, name.find('_'))) << name;
-    EXPECT_TRUE(says(page, "\n| `" + name + "` |")) << name << " has no row in docs/hunting.md";
-    ++scenes;
-  }
-  EXPECT_EQ(broken.size(), scenes);
-  std::istringstream lines(page);
-  std::size_t rows = 0;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string first = line.substr(0, line.find('`', 3));
-    rows += first.starts_with("| `") && says(first, "_1_") ? 1U : 0U;
-  }
-  EXPECT_EQ(rows, scenes) << "docs/hunting.md has a row of a scene that is not there, or has it twice";
 }
 
 TEST(Hunt, AnotherBuildThatDoesNotStartJudgesNothing) {
