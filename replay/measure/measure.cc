@@ -82,6 +82,7 @@ const SeriesRow& Measurer::row() const {
 void Measurer::start(const StepRecord& record) {
   std::ranges::sort(scene_.boxes, {}, &sim::BoxDef::id);
   meter_.emplace(scene_, record.states, options_, shapes_);
+  if (!row_.removed) meter_->take_told_speeds();  // another engine's, whose motors and controls are no inputs
   start_energy_ = meter_->start_energy();
   lowest_energy_ = start_energy_.total();
   metrics_.bodies = record.states.size();

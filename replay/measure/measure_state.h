@@ -22,6 +22,10 @@ namespace tumble::replay {
 /// rotation. A fixed number and not the scene's freeze_energy, so that sessions with different settings compare.
 inline constexpr double kRestEnergy = 0.0032;
 
+/// The most, m/s in one step, that a body's speed grows by where something drives it: more than a train, a plane or a
+/// rocket gains in a step, and less than a body that an engine's failure shoots away.
+inline constexpr double kDrivenGain = 50;
+
 /// The measures of one state, compared with the start; docs/metrics.md defines each. They are over the chosen dynamic
 /// bodies; lateral, drift, tilt and top_drop are over those of the start that still exist. A measure over no body reads
 /// 0 and has no meaning: `bodies` and `of_start` count the bodies.
@@ -64,6 +68,10 @@ class StateMeter {
   /// with, as stored, with positions rounded to their grid.
   /// shapes: of bodies that are no boxes.
   StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options = {}, BodyTable shapes = {});
+
+  /// The session tells no inputs that could drive its bodies, as one of another engine: a speed that a body gains by at
+  /// most kDrivenGain in a step counts as given.
+  void take_told_speeds() { told_speeds_ = true; }
 
   /// Takes the shapes of bodies that appear in a step. Call it before apply() of that step's inputs.
   void describe(const Extras& extras);
@@ -123,7 +131,10 @@ class StateMeter {
     bool removed = false;
     bool lost = false;
     bool not_finite = false;  // in this state or an earlier one
-    double given_speed = 0;   // m/s, by the start and inputs
+    double given_speed = 0;   // m/s, by the start and inputs, and by the states where told_speeds_
+    double told_speed = 0;    // m/s, in the state before
+    double driven_speed = 0;  // m/s, told_speed without the leaps of more than kDrivenGain
+    double given_way = 0;     // m, at given_speed so far
     std::size_t start_row = 0;
     std::size_t grid_row = kNone;  // index into grid_rows_
   };
@@ -135,6 +146,8 @@ class StateMeter {
 
   [[nodiscard]] Body body_of(const sim::BoxDef& box);
   double deepest_of_shapes(const BodyStates& now);
+  void pass(const BodyStates& now, double dt);
+  [[nodiscard]] double reasonable_way(const Body& body) const;
   void give_speed(sim::BodyId id, double given, bool is_impulse);
   void number_grid_rows();
   void find_rows(const BodyStates& now);
@@ -149,6 +162,7 @@ class StateMeter {
   BodyStates start_;
   MeasureOptions options_;
   BodyTable shapes_;
+  bool told_speeds_ = false;
   bool has_shapes_ = false;      // of any body so far
   bool is_upper_bound_ = false;  // an overlap
   sim::Vec3 start_gravity_;      // m/s²

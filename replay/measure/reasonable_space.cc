@@ -20,21 +20,29 @@ void ReasonableSpace::add(const sim::BoxDef& box) {
   if (!box.position.allFinite() || !reach.allFinite()) return;  // a lost body widens nothing
   low_ = low_.cwiseMin(box.position - reach);
   high_ = high_.cwiseMax(box.position + reach);
-  if (!box.is_static) add_speed(sim::length(box.velocity));
+  if (ground_) low_.z() = std::min(low_.z(), 0.0);
   if (ground_ || !box.is_static) return;
   const double bottom = box.position.z() - reach.z();
   floor_ = floor_ == -kInfinity ? bottom : std::min(floor_, bottom);
 }
 
-void ReasonableSpace::add_speed(double speed) {
-  if (std::isfinite(speed)) fastest_ = std::max(fastest_, speed);
+void ReasonableSpace::pass(double dt, const sim::Vec3& gravity) {
+  down_speed_ += (-gravity).cwiseMax(0.0) * dt;
+  up_speed_ += gravity.cwiseMax(0.0) * dt;
+  down_way_ += down_speed_ * dt;
+  up_way_ += up_speed_ * dt;
+  const double height = high_.z() - floor_;  // infinite without a floor: nothing is there to turn a fall aside
+  if (!(height > 0 && height < kInfinity)) return;
+  fall_way_ += std::min(down_speed_.z(), std::sqrt(2 * std::max(-gravity.z(), 0.0) * height)) * dt;
 }
 
-bool ReasonableSpace::holds(const sim::Vec3& centre) const {
+bool ReasonableSpace::holds(const sim::Vec3& centre, double way) const {
   if (!(centre.z() >= floor_)) return false;  // false for NaN
-  const double reach = std::max(kReasonableDistance, (high_ - low_).maxCoeff()) + way_;
+  const double reach = std::max(kReasonableDistance, (high_ - low_).maxCoeff()) + way;
   for (int k = 0; k < 3; ++k) {
-    if (!(centre[k] >= low_[k] - reach && centre[k] <= high_[k] + reach)) return false;
+    const double low = reach + down_way_[k] + (k < 2 ? fall_way_ : 0);
+    const double high = reach + up_way_[k] + (k < 2 ? fall_way_ : 0);
+    if (!(centre[k] >= low_[k] - low && centre[k] <= high_[k] + high)) return false;
   }
   return true;
 }

@@ -134,31 +134,31 @@ TEST(MeasureKeeping, KineticEnergyIsLinearAndRotational) {
 TEST(ReasonableSpace, EndsAtTheGround) {
   ReasonableSpace space(true);
   space.add(box(1, {0, 0, 1}));
-  EXPECT_TRUE(space.holds({0, 0, 0}));
-  EXPECT_FALSE(space.holds({0, 0, -0.001}));
+  EXPECT_TRUE(space.holds({0, 0, 0}, 0));
+  EXPECT_FALSE(space.holds({0, 0, -0.001}, 0));
 }
 
 TEST(ReasonableSpace, WithoutGroundEndsBelowTheLowestStaticBox) {
   ReasonableSpace space(false);
   space.add(box(1, {0, 0, 1}));
-  EXPECT_TRUE(space.holds({0, 0, -900})) << "nothing to fall through";
+  EXPECT_TRUE(space.holds({0, 0, -900}, 0)) << "nothing to fall through";
   for (const double z : {-3.0, -2.0}) {
     BoxDef floor = box(2, {0, 0, z});
     floor.is_static = true;
     space.add(floor);
   }
-  EXPECT_TRUE(space.holds({0, 0, -3.25}));
-  EXPECT_FALSE(space.holds({0, 0, -3.75}));
+  EXPECT_TRUE(space.holds({0, 0, -3.25}, 0));
+  EXPECT_FALSE(space.holds({0, 0, -3.75}, 0));
 }
 
 TEST(ReasonableSpace, EndsFarFromWhereBodiesBegan) {
   ReasonableSpace space(true);
   space.add(box(1, {-5, 0, 1}));
   space.add(box(2, {5, 0, 1}));
-  EXPECT_TRUE(space.holds({1005, 0, 1}));
-  EXPECT_FALSE(space.holds({1006, 0, 1}));
-  EXPECT_FALSE(space.holds({0, -1001, 1}));
-  EXPECT_FALSE(space.holds({0, 0, 1002}));
+  EXPECT_TRUE(space.holds({1005, 0, 1}, 0));
+  EXPECT_FALSE(space.holds({1006, 0, 1}, 0));
+  EXPECT_FALSE(space.holds({0, -1001, 1}, 0));
+  EXPECT_FALSE(space.holds({0, 0, 1002}, 0));
 }
 
 // What belongs far away is not lost there: a scene of 5 km has room of its own size, and a shot has its way.
@@ -166,20 +166,33 @@ TEST(ReasonableSpace, ReachesAsFarAsTheSceneIsWideAndAsBodiesAreSent) {
   ReasonableSpace wide(true);
   wide.add(box(1, {0, 0, 1}));
   wide.add(box(2, {5000, 0, 1}));
-  EXPECT_TRUE(wide.holds({2500, 4900, 1}));
-  EXPECT_TRUE(wide.holds({2500, 0, 3000}));
-  EXPECT_FALSE(wide.holds({2500, 5100, 1}));
+  EXPECT_TRUE(wide.holds({2500, 4900, 1}, 0));
+  EXPECT_TRUE(wide.holds({2500, 0, 3000}, 0));
+  EXPECT_FALSE(wide.holds({2500, 5100, 1}, 0));
   ReasonableSpace shot(true);
-  BoxDef ball = box(1, {0, 0, 1});
-  ball.velocity = {0, 300, 400};
-  shot.add(ball);
-  shot.pass(2);
-  EXPECT_TRUE(shot.holds({0, 0, 1990}));
-  EXPECT_FALSE(shot.holds({0, 0, 2010}));
-  shot.add_speed(1000);
-  shot.pass(1);
-  EXPECT_TRUE(shot.holds({0, -2990, 1}));
-  EXPECT_FALSE(shot.holds({0, -3010, 1}));
+  shot.add(box(1, {0, 0, 1}));
+  EXPECT_TRUE(shot.holds({0, 0, 1990}, 1000));
+  EXPECT_FALSE(shot.holds({0, 0, 2010}, 1000));
+}
+
+// What falls from a height lies where it belongs, and gravity to a side takes bodies to that side alone.
+TEST(ReasonableSpace, ReachesAsFarAsGravityTakesBodies) {
+  ReasonableSpace high(true);
+  high.add(box(1, {0, 0, 3000}));
+  EXPECT_TRUE(high.holds({0, 0, 0.5}, 0)) << "3000 m high, and nothing fell yet";
+  ReasonableSpace fall(true);
+  fall.add(box(1, {0, 0, 44.5}));  // its top at 45 m
+  for (int k = 0; k < 100; ++k) fall.pass(1, {0, 0, -10});
+  EXPECT_TRUE(fall.holds({0, 3950, 0.5}, 0)) << "30 m/s of the fall";
+  EXPECT_FALSE(fall.holds({0, 4050, 0.5}, 0));
+  EXPECT_FALSE(fall.holds({0, 0, 1100}, 0)) << "nothing falls upwards";
+  ReasonableSpace slide(true);
+  slide.add(box(1, {0, 0, 0}));
+  for (int k = 0; k < 1000; ++k) slide.pass(0.04, {3, 0, 0});
+  EXPECT_TRUE(slide.holds({3390, 0, 0}, 0)) << "½ 3 40² = 2400";
+  EXPECT_FALSE(slide.holds({3410, 0, 0}, 0));
+  EXPECT_FALSE(slide.holds({-1010, 0, 0}, 0));
+  EXPECT_FALSE(slide.holds({0, 1010, 0}, 0));
 }
 
 // The speeds that inputs give count from then on; pushes of one body add up.
@@ -201,6 +214,42 @@ TEST(MeasureKeeping, ABodyThatInputsSendFarIsNotLost) {
   const sim::Push push = {1, {0, 300 * mass, 0}};
   EXPECT_EQ(lost({push}), 1U);
   EXPECT_EQ(lost({push, push}), 0U);
+}
+
+// A heavy body gives a light one at most twice its speed; what a light one was given moves no heavy one.
+TEST(MeasureKeeping, AHitReachesAsFarAsTheOtherBodysMassTakesIt) {
+  const auto lost = [](double mass, double way) {
+    std::vector<BoxDef> boxes = {box(1, {0, 0, 1}), box(2, {5, 0, 1})};
+    boxes[0].mass = mass;
+    boxes[1].mass = 1;
+    boxes[0].velocity = {150, 0, 0};
+    StateMeter meter(scene_of(boxes), states_of(boxes));
+    boxes[1].position.x() = way;
+    static_cast<void>(meter.measure(states_of(boxes), 1, 10));
+    return meter.lost();
+  };
+  EXPECT_EQ(lost(1000, 3900), 0U) << "1000 m and ten seconds of 299.7 m/s";
+  EXPECT_EQ(lost(1000, 4100), 1U);
+  EXPECT_EQ(lost(1e-6, 900), 0U);
+  EXPECT_EQ(lost(1e-6, 1100), 1U);
+}
+
+// A car of another engine, whose motor is no input, drives as far as it likes; what an engine shoots away is lost.
+TEST(MeasureKeeping, OnlyWhatGainsSpeedStepByStepIsDriven) {
+  const auto lost = [](bool told, double gain) {
+    std::vector<BoxDef> boxes = {box(1, {0, 0, 1})};
+    StateMeter meter(scene_of(boxes), states_of(boxes));
+    if (told) meter.take_told_speeds();
+    for (std::uint64_t step = 1; step <= 300; ++step) {
+      boxes[0].velocity.x() = std::min(100.0, static_cast<double>(step) * gain);
+      boxes[0].position.x() += boxes[0].velocity.x() * 0.1;
+      static_cast<void>(meter.measure(states_of(boxes), step, 0.1));
+    }
+    return meter.lost();
+  };
+  EXPECT_EQ(lost(true, 5), 0U);
+  EXPECT_EQ(lost(true, 100), 1U);
+  EXPECT_EQ(lost(false, 5), 1U) << "this program tells all that drives a body";
 }
 
 TEST(MeasureKeeping, ABodyThatVanishesIsLostUnlessAnInputTookIt) {
