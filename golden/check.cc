@@ -61,6 +61,9 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
   }
   if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
+  // Asked here too: no case may be the shard's, or all may end before the signal is seen.
+  const auto interrupted = [&] { return options.pool.cancel && options.pool.cancel(); };
+  if (interrupted()) return cannot_finish("interrupted before the first case");
   result.facts = facts_of_run(*suite, *all, mine, options.require, options.pool.timeout_s);
   result.facts.canaries = canaries.names();
   if (options.heavy) result.facts.options.emplace_back("heavy", kGiven);
@@ -81,7 +84,8 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
         if (options.progress) options.progress(result.cases.back(), result.cases.size(), folders.size());
       },
       options.pool);
-  if (!finished) return cannot_finish("interrupted after " + std::to_string(result.cases.size()) + " cases");
+  if (!finished || interrupted())
+    return cannot_finish("interrupted after " + std::to_string(result.cases.size()) + " cases");
   if (result.cases.size() != folders.size()) return cannot_finish("a case was lost: fewer results than cases");
   std::ranges::sort(result.cases, {}, &CaseResult::name);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
