@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/program.h"
@@ -87,6 +88,11 @@ TEST(HuntAnswers, AShardWithoutScenesSaysSo) {
   const Outcome run = shop.run({"hunt", "--count", "2", "--shard", "5/9"});
   EXPECT_EQ(run.exit, 0) << run.err;
   EXPECT_TRUE(tells(run.out, "nothing was judged: none of 2 scenes is the shard's")) << run.out;
+  for (const auto& [shard, is_empty] : {std::pair{"5/9", true}, std::pair{"2/9", false}}) {
+    const Outcome told = shop.run({"hunt", "--count", "2", "--shard", shard, "--json"});
+    EXPECT_EQ(told.exit, 0) << told.err;
+    EXPECT_EQ(Json::parse(told.out).at("is_empty_shard"), is_empty) << shard;
+  }
 }
 
 // An engine of which no scene gives a session, and claims that could be asked of none, are no result.

@@ -118,9 +118,15 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
 }
 
 // A shard that has no scene of the count is whole without one.
+bool is_empty_shard(const HuntCommand& options, const hunt::HuntState& state) {
+  return state.next == 0 && options.count && state.share.of(*options.count) == 0;
+}
+
 Result<Exit> tell(const HuntCommand& options, const hunt::HuntState& state) {
   if (options.json) {
-    print_json("hunt", hunt::to_json(state));
+    Json json = hunt::to_json(state);
+    json["is_empty_shard"] = is_empty_shard(options, state);
+    print_json("hunt", json);
   } else {
     print_hunt(state, options.folder);
   }
@@ -128,7 +134,7 @@ Result<Exit> tell(const HuntCommand& options, const hunt::HuntState& state) {
   if (!claims_hold(state)) return Exit::kDifference;
   if (!nothing_judged(state)) return Exit::kSame;
   const std::string text = nothing_judged_text(state, options.count);
-  if (state.next > 0 || !options.count || state.share.of(*options.count) > 0) return cannot_finish(text);
+  if (!is_empty_shard(options, state)) return cannot_finish(text);
   if (!options.json) std::cout << text << '\n';
   return Exit::kSame;
 }
@@ -237,10 +243,11 @@ Action declare_hunt(Arguments& arguments) {
   exclude_all(merge, {seed, count, time, shard, relation, against, within, engine, print, unshrunk, shrink});
   arguments.json(options->json);
   arguments.footer(
-      "Exit status: 0 no scene broke a relation, of an engine none that it claims; 1 findings; 2 bad usage, a folder\n"
-      "of another hunt, or a shard that is missing, there twice or not at its end; 3 a damaged folder or shard;\n"
-      "4 could not finish, was interrupted, or tumble's own judge ended over a scene; the folder then holds what was\n"
-      "judged.\n\n"
+      "Exit status: 0 no scene broke a relation, of an engine none that it claims, or no scene of --count is the\n"
+      "shard's; 1 findings; 2 bad usage, a folder of another hunt, or a shard that is missing, there twice or not at "
+      "its\n"
+      "end; 3 a damaged folder or shard; 4 could not finish, judged nothing, was interrupted, or tumble's own judge\n"
+      "ended over a scene; the folder then holds what was judged.\n\n"
       "Examples:\n"
       "  tumble hunt --time 600 --folder hunt\n"
       "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
