@@ -67,6 +67,9 @@ class MotionCheck {
   void add_to(std::vector<std::string>& out) const;
 
  private:
+  static constexpr std::uint64_t kStatesMin = 8;  // that say something of a session
+  static constexpr double kBeside = 0.02;         // of an acceleration along one axis: what may be beside it
+
   struct Before {
     std::uint64_t step = 0;
     double dt = 0;
@@ -104,8 +107,9 @@ class MotionCheck {
   std::array<std::uint64_t, 6> falls_ = {};            // states that fall along −x, x, −y, y, −z, z
   std::array<std::map<int, std::uint64_t>, 6> sizes_;  // of their accelerations: 10·log10, rounded
   std::uint64_t at_rest_ = 0, scalar_last_ = 0;        // first orientations that are 1 0 0 0, and 0 0 0 1
-  std::uint64_t states_ = 0, half_turns_ = 0;          // all, and those turned by 180° about a slanting axis
-  Fit velocities_, spins_, spins_of_scalar_last_;
+  std::uint64_t states_ = 0, half_turns_ = 0;          // all, and those that read as half turns about a slanting axis
+  Fit velocities_, spins_;
+  Fit order_, other_order_;  // of turns by spins, in the order of the quaternion as read, and in the other
   std::uint64_t turns_ = 0, degrees_ = 0;  // states that turn, and that turn as spins in degrees/s
   Leap leap_;                              // the first
   std::uint64_t leaps_ = 0;

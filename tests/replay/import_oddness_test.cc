@@ -1,6 +1,7 @@
 // What a table tells by mistake is imported and said: names that the log has otherwise, quaternions in another order,
 // bodies that leap.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "replay/arrays/array_joints.h"
@@ -113,6 +114,34 @@ TEST(ImportOddness, QuaternionsWithTheScalarLastAreSaidWhateverTheAxis) {
       EXPECT_EQ(std::ranges::count(said, '\n'), 1) << "no other remedy beside it: " << said;
     }
   }
+}
+
+/// A body that does not turn, or turns about one axis by its spins from this orientation on, w x y z.
+std::string facing(const std::array<double, 4>& start, double rate, bool with_spins) {
+  std::string text = "# dt: 0.01\nstep,id," + std::string(kPose) + (with_spins ? ",spin.x,spin.y,spin.z" : "") + "\n";
+  for (int k = 0; k < 40; ++k) {
+    const double c = std::cos(0.005 * rate * k), s = std::sin(0.005 * rate * k);
+    const auto& [w, x, y, z] = start;  // turned further about z
+    const std::array<double, 4> q = {c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w};
+    text += std::to_string(k) + ",1,0,0,5";
+    for (const double number : q) text += ',' + exact(number);
+    text += (with_spins ? ",0,0," + exact(rate) : "") + "\n";
+  }
+  return text;
+}
+
+TEST(ImportOddness, ABodyThatFacesBackwardsIsNoWrongOrder) {
+  const std::array<double, 4> about_x = {0, 1, 0, 0}, about_y = {0, 0, 1, 0}, about_z = {0, 0, 0, 1};
+  for (const double rate : {0.0, 0.2, 0.5, 3.0}) {
+    for (const bool with_spins : {false, true}) {
+      EXPECT_EQ(warnings_of(facing(about_x, rate, with_spins)), "") << rate << with_spins;
+      EXPECT_EQ(warnings_of(facing(about_y, rate, with_spins)), "") << rate << with_spins;
+      const bool told = with_spins && rate > 0;  // else the numbers are those of a body that is not turned, too
+      EXPECT_EQ(holds(warnings_of(facing(about_z, rate, with_spins)), "in the order x y z w?"), !told) << rate;
+    }
+  }
+  std::string up = facing(about_y, 0, false);
+  EXPECT_EQ(warnings_of(up.insert(0, "# up: y\n")), "") << "the numbers count as the engine tells them";
 }
 
 /// A body that moves by 1 mm a step along x, and by `leap` more in step 20.
