@@ -55,6 +55,7 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
     for (const sim::BoxDef& box : like->boxes) steps.like_.emplace(box.id, box);
   }
   steps.first_reading_ = options.kinds.empty();
+  steps.plausible_.set_scalar_last(options.scalar_last);
   steps.channels_.set_kinds(options.kinds);
   if (Status ok = check_channels(steps.channels_.channels()); !ok.ok()) {
     return steps.at_line(steps.table_.line(), ok.error().message + "; --map channel.NAME=COLUMN gives another name");

@@ -48,6 +48,7 @@ struct TableOptions {
   std::optional<SessionLike> like = {};
   TableMap map = {};
   std::vector<ChannelKind> kinds = {};  ///< CsvChannels::kinds() of the first reading; empty in the first
+  bool scalar_last = false;             ///< ImportOptions::scalar_last
 };
 
 /// Reads a table step by step and records which bodies exist. Errors (kBadInput) name file, line and column.

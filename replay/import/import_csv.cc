@@ -35,7 +35,8 @@ TableNotes note_missing(const CsvSteps& reader, const TableStep& before, const T
 }
 
 Result<Survey> survey(std::string_view text, const std::string& name, const ImportOptions& options) {
-  Result<CsvSteps> reader = CsvSteps::open(text, name, {options.settings, options.like, options.map, {}});
+  Result<CsvSteps> reader =
+      CsvSteps::open(text, name, {options.settings, options.like, options.map, {}, options.scalar_last});
   if (!reader.ok()) return reader.error();
   Survey found;
   TableStep step, before;

@@ -25,6 +25,7 @@ struct ImportOptions {
   std::vector<std::string> settings;  ///< "key: value"; override the settings of the table
   std::optional<SessionLike> like = {};
   TableMap map = {};
+  bool scalar_last = false;  ///< somebody asked that quaternions be read as x y z w; for warnings
   /// Called for each oddness of the table that does not hinder the import: "<name>:<line>:<column>: …".
   std::function<void(const std::string& warning)> warn = {};
 };

@@ -24,12 +24,6 @@ sim::Vec3 turn_between(const sim::Quat& p, const sim::Quat& q) {
   return sine > 0 ? sim::Vec3(part * (size / sine)) : sim::Vec3(0, 0, 0);
 }
 
-/// The engine's four numbers in the order x y z w, where they were read as w x y z.
-sim::Quat in_other_order(const sim::Quat& ours, const EngineAxes& axes) {
-  const sim::Quat read = axes.their_turn(ours);
-  return {read.z, read.w, read.x, read.y};
-}
-
 sim::Quat turn_after(const sim::Quat& a, const sim::Quat& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
@@ -113,11 +107,17 @@ void MotionCheck::Fit::look(const sim::Vec3& moved, const sim::Vec3& told) {
 
 bool MotionCheck::Fit::mostly_fits() const { return fitting >= kStatesMin && 2 * fitting > all(); }
 
+/// The engine's four numbers in the order x y z w, where they were read as w x y z, or the other way round.
+sim::Quat MotionCheck::in_other_order(const sim::Quat& ours) const {
+  const sim::Quat read = axes_.their_turn(ours);
+  return scalar_last_asked_ ? sim::Quat{read.x, read.y, read.z, read.w} : sim::Quat{read.z, read.w, read.x, read.y};
+}
+
 // Of numbers in the order x y z w, those of a body that is not turned read as a half turn about z, those of one that
 // turns about y or z as half turns about a slanting axis. A body that faces backwards reads as one that is not turned
 // too; other half turns, as of a body upside down, say nothing.
 void MotionCheck::look_at_order(const sim::Quat& q, bool is_first) {
-  const double other = std::fabs(in_other_order(q, axes_).w);
+  const double other = std::fabs(in_other_order(q).w);
   if (q.w == 0 && other != 0 && other != 1) ++half_turns_;
   if (!is_first) return;
   if (std::fabs(q.w) == 1) ++at_rest_;
@@ -132,7 +132,7 @@ void MotionCheck::look_at_turn(const Before& before, const EngineState& state, d
   const sim::Vec3 turned = turn_between(before.orientation, state.orientation);
   if (is_quaternion && said < kTurnMax) {
     order_.look(turned, angle);
-    const auto other = [&](const sim::Quat& q) { return axes_.turn(in_other_order(q, axes_)); };
+    const auto other = [&](const sim::Quat& q) { return axes_.turn(in_other_order(q)); };
     other_order_.look(turn_between(other(before.orientation), other(state.orientation)), angle);
   }
   if (!(said > kSpinMin * dt)) return;

@@ -60,6 +60,8 @@ class MotionCheck {
   };
   /// m/s², from now on; in our axes.
   void set_gravity(const sim::Vec3& gravity) { gravity_ = gravity; }
+  /// Quaternions were read as x y z w because somebody asked for it; else as w x y z.
+  void set_scalar_last(bool asked) { scalar_last_asked_ = asked; }
   /// The state of a body, in our axes and units. edge: the body's longest, m. axes: of the engine, for messages.
   void add(sim::BodyId body, std::uint64_t step, double dt, const EngineState& state, Told told, double edge,
            const EngineAxes& axes);
@@ -94,6 +96,7 @@ class MotionCheck {
     double way = 0, beside = 0;  ///< m
   };
   void look_at_order(const sim::Quat& q, bool is_first);
+  [[nodiscard]] sim::Quat in_other_order(const sim::Quat& ours) const;
   void look_at_fall(const sim::Vec3& change, const sim::Vec3& before);
   void look_at_turn(const Before& before, const EngineState& state, double dt, bool is_quaternion);
   void look_at_leap(sim::BodyId body, const Before& before, double way, double edge);
@@ -104,9 +107,10 @@ class MotionCheck {
   std::map<sim::BodyId, Before> before_;
   EngineAxes axes_;
   sim::Vec3 gravity_ = {0, 0, 0};
+  bool scalar_last_asked_ = false;
   std::array<std::uint64_t, 6> falls_ = {};            // states that fall along −x, x, −y, y, −z, z
   std::array<std::map<int, std::uint64_t>, 6> sizes_;  // of their accelerations: 10·log10, rounded
-  std::uint64_t at_rest_ = 0, scalar_last_ = 0;        // first orientations that are 1 0 0 0, and 0 0 0 1
+  std::uint64_t at_rest_ = 0, scalar_last_ = 0;        // first orientations not turned as read, and in the other order
   std::uint64_t states_ = 0, half_turns_ = 0;          // all, and those that read as half turns about a slanting axis
   Fit velocities_, spins_;
   Fit order_, other_order_;  // of turns by spins, in the order of the quaternion as read, and in the other

@@ -64,22 +64,24 @@ void MotionCheck::add_fall(std::vector<std::string>& out) const {
 /// A table without spins in which all bodies turn about x from the start on is none that can be told: such numbers are
 /// turns about z.
 std::string MotionCheck::wrong_order() const {
-  constexpr const char* kRemedy =
-      "; are the numbers of the quaternion in the order x y z w? wanted w x y z (name the columns by what they hold; "
-      "arrays: --scalar-last)";
+  const char* const remedy =
+      scalar_last_asked_
+          ? "; --scalar-last was given, and the numbers of the quaternion look like w x y z: leave it out"
+          : "; are the numbers of the quaternion in the order x y z w? wanted w x y z (name the columns by what they "
+            "hold; arrays: --scalar-last)";
   const bool fits = order_.mostly_fits(), other_fits = other_order_.mostly_fits();  // both for turns about y
   if (fits && !other_fits) return "";
   if (other_fits && !fits) {
     return "bodies do not turn as their spins say, but would in " + count_text(other_order_.fitting, "state") + " of " +
-           std::to_string(order_.all()) + " with another order of the numbers" + kRemedy;
+           std::to_string(order_.all()) + " with another order of the numbers" + remedy;
   }
   if (scalar_last_ > kAlsoAtRest * at_rest_) {
     return "the first orientations of " + count_text(scalar_last_, "body") +
-           " are half turns, 0 in w and 1 in another component" + kRemedy;
+           " are half turns, 0 in w and 1 in another component" + remedy;
   }
   if (half_turns_ < kStatesMin || 2 * half_turns_ <= states_) return "";
   return "the orientations of " + count_text(half_turns_, "state") + " of " + std::to_string(states_) +
-         " are half turns, 0 in w" + kRemedy;
+         " are half turns, 0 in w" + remedy;
 }
 
 void MotionCheck::add_to(std::vector<std::string>& out) const {

@@ -16,8 +16,9 @@ namespace {
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// What an import of this table warns of, a line each.
-std::string warnings_of(const std::string& text) {
+std::string warnings_of(const std::string& text, bool scalar_last = false) {
   ImportOptions options;
+  options.scalar_last = scalar_last;
   std::string all;
   options.warn = [&](const std::string& warning) { all += warning + "\n"; };
   const Result<LogReader> log = import(text, options);
@@ -142,6 +143,17 @@ TEST(ImportOddness, ABodyThatFacesBackwardsIsNoWrongOrder) {
   }
   std::string up = facing(about_y, 0, false);
   EXPECT_EQ(warnings_of(up.insert(0, "# up: y\n")), "") << "the numbers count as the engine tells them";
+}
+
+// A table of w x y z that was read as x y z w has the numbers x y z w under the names w x y z.
+TEST(ImportOddness, ScalarLastThatWasGivenWronglyIsNotAdvised) {
+  const std::string leave =
+      "--scalar-last was given, and the numbers of the quaternion look like w x y z: leave it out";
+  const std::array<double, 4> not_turned = {0, 1, 0, 0};  // 1 0 0 0, read as x y z w
+  EXPECT_TRUE(holds(warnings_of(facing(not_turned, 0, false), true), leave));
+  EXPECT_FALSE(holds(warnings_of(facing(not_turned, 0, false), true), "arrays: --scalar-last"));
+  for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(warnings_of(turning(axis, false, true), true), "") << axis;
+  EXPECT_EQ(warnings_of(facing({0, 0, 0, 1}, 0, false), true), "") << "backwards";
 }
 
 /// A body that moves by 1 mm a step along x, and by `leap` more in step 20.

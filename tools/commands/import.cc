@@ -210,6 +210,7 @@ Result<Exit> import_command(const ImportCommand& options) {
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
   how.settings = options.settings;
+  how.scalar_last = options.scalar_last;
   Result<replay::TableMap> map = map_of(options);
   if (!map.ok()) return map.error();
   how.map = *std::move(map);
