@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kFallMin = 0.1;   // m/s²
 constexpr double kUnsteady = 0.1;  // of an acceleration: how much may change from step to step
+constexpr double kAgainst = 0.98;  // of an acceleration: along the way that is slowed
 constexpr double kLeap = 20;       // times as far as in the steps beside it
 constexpr double kRadian = 180 / std::numbers::pi;
 
@@ -83,13 +84,16 @@ void DerivedMotion::derive(sim::BodyId id, std::uint64_t step, double dt, bool v
 // Bodies in free flight accelerate alike, whatever else a scene does, and nothing else accelerates steadily along one
 // axis. So the axis along which most states accelerate, with no other acceleration beside it, is that of gravity.
 // What bodies at rest do is neither steady nor much.
-void MotionCheck::look_at_fall(const sim::Vec3& change, const sim::Vec3& before) {
+void MotionCheck::look_at_fall(const sim::Vec3& change, const sim::Vec3& before, const sim::Vec3& moved) {
   int axis = 0;
   for (int k = 1; k < 3; ++k) axis = std::fabs(change[k]) > std::fabs(change[axis]) ? k : axis;
   const double rest = std::fabs(change[(axis + 1) % 3]) + std::fabs(change[(axis + 2) % 3]);
   const double size = std::fabs(change[axis]);
   if (!(size > kFallMin) || !(rest < kBeside * size) || !std::isfinite(size)) return;
   if (!(sim::length(change - before) < kUnsteady * size)) return;
+  // Friction slows what slides, against its way and across gravity, as steadily as gravity.
+  const double across = std::fabs(sim::dot(change, gravity_)), along = sim::dot(change, moved);
+  if (across < kBeside * size * sim::length(gravity_) && along < -kAgainst * size * sim::length(moved)) return;
   const std::size_t way = 2 * static_cast<std::size_t>(axis) + (change[axis] > 0 ? 1 : 0);
   ++falls_[way];
   ++sizes_[way][static_cast<int>(std::lround(10 * std::log10(size)))];
@@ -166,7 +170,7 @@ void MotionCheck::add(sim::BodyId body, std::uint64_t step, double dt, const Eng
   if (way) look_at_leap(body, before, *way, edge);
   std::optional<sim::Vec3> change;
   if (follows && before.dt > 0) change = (moved / dt - before.moved / before.dt) / dt;
-  if (change && before.change) look_at_fall(*change, *before.change);
+  if (change && before.change) look_at_fall(*change, *before.change, moved);
   if (follows && told.velocity) {
     const sim::Vec3 said = (state.velocity + before.velocity) * (dt / 2);
     const double speed = std::max(sim::length(state.velocity), sim::length(before.velocity));

@@ -97,7 +97,7 @@ class MotionCheck {
   };
   void look_at_order(const sim::Quat& q, bool is_first);
   [[nodiscard]] sim::Quat in_other_order(const sim::Quat& ours) const;
-  void look_at_fall(const sim::Vec3& change, const sim::Vec3& before);
+  void look_at_fall(const sim::Vec3& change, const sim::Vec3& before, const sim::Vec3& moved);
   void look_at_turn(const Before& before, const EngineState& state, double dt, bool is_quaternion);
   void look_at_leap(sim::BodyId body, const Before& before, double way, double edge);
   [[nodiscard]] std::string wrong_order() const;

@@ -33,9 +33,16 @@ void MotionCheck::add_fall(std::vector<std::string>& out) const {
   const std::optional<std::size_t> wanted = down();
   const double told = axes_.their_metres(sim::length(gravity_));
   const bool slants = !wanted && told > 0;
-  // Friction slows what slides as steadily as gravity; where bodies also fall as told, the axes are right.
+  // Where bodies also fall as told, the axes are right.
   if (!slants && kAlsoFall * falls_[wanted.value_or(kDownZ)] >= falls_[most]) most = wanted.value_or(kDownZ);
-  if (!slants && most != wanted.value_or(kDownZ)) {
+  const auto size = std::ranges::max_element(sizes_[most], {}, [](const auto& entry) { return entry.second; });
+  const double found = std::pow(10, 0.1 * size->first);  // m/s²
+  const double off = told > 0 ? 10 * std::log10(found / sim::length(gravity_)) : 100;
+  constexpr double kOffMax = 2.5;                     // in tenths of a decade: a factor of 1.8
+  constexpr double kEarthLow = 0.8, kEarthHigh = 60;  // m/s²; what a game may have
+  const bool is_aside = slants || most != wanted.value_or(kDownZ);
+  if (is_aside && off < -kOffMax) return;  // friction and slopes accelerate less than gravity
+  if (!slants && is_aside && (off <= kOffMax || told == 0)) {
     const EngineAxis along = axes_.along(static_cast<int>(most / 2));
     const bool up = (most % 2 == 1) == (along.sign > 0);
     out.push_back(std::string("bodies in free flight accelerate along ") + (up ? "+" : "-") + along.letter + " in " +
@@ -44,13 +51,8 @@ void MotionCheck::add_fall(std::vector<std::string>& out) const {
                   "; is \"up\" missing, or another one, or \"gravity\"?");
     return;
   }
-  const auto size = std::ranges::max_element(sizes_[most], {}, [](const auto& entry) { return entry.second; });
   if (2 * size->second <= falls_[most]) return;
-  const double found = std::pow(10, 0.1 * size->first);  // m/s²
-  const double off = sim::length(gravity_) > 0 ? std::fabs(10 * std::log10(found / sim::length(gravity_))) : 100;
-  constexpr double kOffMax = 2.5;                     // in tenths of a decade: a factor of 1.8
-  constexpr double kEarthLow = 0.8, kEarthHigh = 60;  // m/s²; what a game may have
-  if (off > kOffMax) {
+  if (std::fabs(off) > kOffMax) {
     out.push_back("bodies in free flight accelerate by about " + significant(axes_.their_metres(found), 2) + ' ' +
                   axes_.unit() + "/s^2, but gravity is " + significant(told, 3) + ' ' + axes_.unit() +
                   "/s^2; is \"gravity\", \"dt\" or the unit of length another one?");

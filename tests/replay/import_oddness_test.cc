@@ -156,6 +156,29 @@ TEST(ImportOddness, ScalarLastThatWasGivenWronglyIsNotAdvised) {
   EXPECT_EQ(warnings_of(facing({0, 0, 0, 1}, 0, false), true), "") << "backwards";
 }
 
+/// A body that begins with this speed along x and accelerates steadily along x and z; m/s, m/s².
+std::string driven(double speed, double x, double z, const std::string& gravity = "0 0 -9.81") {
+  std::string text = "# dt: 0.01\n# gravity: " + gravity + "\nstep,id," + kPose + "\n";
+  for (int k = 0; k < 40; ++k) {
+    const double t = 0.01 * k;
+    text += std::to_string(k) + ",1," + exact(speed * t + x * t * t / 2) + ",0," + exact(z * t * t / 2) + ",1,0,0,0\n";
+  }
+  return text;
+}
+
+TEST(ImportOddness, WhatSlidesIsNotInFreeFlight) {
+  const std::string slope = "3.355 0 -9.218", another = "and gravity has another direction",
+                    size = "accelerate by about";
+  EXPECT_EQ(warnings_of(driven(9, -7, 0)), "") << "friction of 0.7";
+  EXPECT_EQ(warnings_of(driven(0, 2.3, 0)), "") << "a push";
+  EXPECT_EQ(warnings_of(driven(0, 1.6, 0, slope)), "") << "down a slope";
+  EXPECT_TRUE(holds(warnings_of(driven(0, -9.81, 0)), another));
+  EXPECT_TRUE(holds(warnings_of(driven(0, 0, 9.81)), another));
+  EXPECT_TRUE(holds(warnings_of(driven(0, 0, -1.6)), size)) << "the moon";
+  EXPECT_TRUE(holds(warnings_of(driven(0, 0, -981)), size)) << "centimetres";
+  EXPECT_TRUE(holds(warnings_of(driven(0, -9810, 0)), size)) << "millimetres, and another axis";
+}
+
 /// A body that moves by 1 mm a step along x, and by `leap` more in step 20.
 std::string moving(double leap, double stays, bool with_velocities, const std::string& size = "1,1,1") {
   std::string text = "# dt: 0.01\nstep,id,size.x,size.y,size.z," + std::string(kPose) +
