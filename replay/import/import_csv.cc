@@ -57,7 +57,7 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
     const TableNotes end = note_missing(*reader, step, before);  // swapped once after the last step
     for (const TableNotes& notes : {reader->notes(), end}) std::ranges::for_each(notes.texts(), options.warn);
     std::vector<std::string> misfits;
-    reader->plausible().add_to(misfits);
+    reader->plausible().add_to(misfits, [&](sim::BodyId id) { return reader->info(id).name; });
     std::ranges::for_each(misfits, options.warn);
   }
   return found;

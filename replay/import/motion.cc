@@ -152,7 +152,16 @@ void MotionCheck::look_at_leap(sim::BodyId body, const Before& before, double wa
   if (!before.way || !before.way_before) return;
   const double beside = std::max(*before.way_before, way);
   if (!std::isfinite(*before.way) || !(*before.way > edge) || !(*before.way > kLeap * beside)) return;
-  if (++leaps_ == 1) leap_ = {body, before.step, *before.way, beside};
+  if (++leaps_ == 1) leap_ = {body, before.step, *before.way, beside, false};
+}
+
+// A wrong row puts a body elsewhere for one step: both ways are long, and the second takes back the first.
+void MotionCheck::look_at_leap_and_back(sim::BodyId body, const Before& before, double way, double edge) {
+  if (!before.way || !before.way_before || !before.way_long_before) return;
+  const double beside = std::max(*before.way_long_before, way), shorter = std::min(*before.way, *before.way_before);
+  if (!std::isfinite(shorter) || !(shorter > edge) || !(shorter > kLeap * beside)) return;
+  if (!(sim::length(before.moved + before.moved_before) < shorter / 2)) return;
+  if (++leaps_ == 1) leap_ = {body, before.step - 1, *before.way_before, beside, true};
 }
 
 void MotionCheck::add(sim::BodyId body, std::uint64_t step, double dt, const EngineState& state, Told told, double edge,
@@ -167,7 +176,10 @@ void MotionCheck::add(sim::BodyId body, std::uint64_t step, double dt, const Eng
   const sim::Vec3 moved = follows ? sim::Vec3(state.position - before.position) : sim::Vec3(0, 0, 0);
   std::optional<double> way;
   if (follows) way = sim::length(moved);
-  if (way) look_at_leap(body, before, *way, edge);
+  if (way) {
+    look_at_leap(body, before, *way, edge);
+    look_at_leap_and_back(body, before, *way, edge);
+  }
   std::optional<sim::Vec3> change;
   if (follows && before.dt > 0) change = (moved / dt - before.moved / before.dt) / dt;
   if (change && before.change) look_at_fall(*change, *before.change, moved);
@@ -177,8 +189,8 @@ void MotionCheck::add(sim::BodyId body, std::uint64_t step, double dt, const Eng
     if (speed > kSpeedMin && sim::length(said) > 0.5 * speed * dt) velocities_.look(moved, said);
   }
   if (follows && told.spin) look_at_turn(before, state, dt, told.quaternion);
-  before = {step, follows ? dt : 0, state.position, state.velocity, moved, state.orientation, state.spin,
-            way,  before.way,       change};
+  before = {step, follows ? dt : 0, state.position,    state.velocity, moved, state.orientation, state.spin,
+            way,  before.way,       before.way_before, before.moved,   change};
 }
 
 }  // namespace tumble::replay

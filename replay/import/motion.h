@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -65,8 +66,10 @@ class MotionCheck {
   /// The state of a body, in our axes and units. edge: the body's longest, m. axes: of the engine, for messages.
   void add(sim::BodyId body, std::uint64_t step, double dt, const EngineState& state, Told told, double edge,
            const EngineAxes& axes);
+  /// The name of a body; empty without one.
+  using NameOf = std::function<std::string(sim::BodyId)>;
   /// Adds a warning, with its remedy, for each thing that most states contradict, and for leaps.
-  void add_to(std::vector<std::string>& out) const;
+  void add_to(std::vector<std::string>& out, const NameOf& name_of = {}) const;
 
  private:
   static constexpr std::uint64_t kStatesMin = 8;  // that say something of a session
@@ -78,8 +81,10 @@ class MotionCheck {
     sim::Vec3 position = {0, 0, 0}, velocity = {0, 0, 0}, moved = {0, 0, 0};
     sim::Quat orientation;
     sim::Vec3 spin = {0, 0, 0};
-    std::optional<double> way, way_before;  ///< m, moved in this step and in the one before
-    std::optional<sim::Vec3> change;        ///< m/s², of the velocity
+    /// m, moved in this step and in those before it.
+    std::optional<double> way, way_before, way_long_before;
+    sim::Vec3 moved_before = {0, 0, 0};
+    std::optional<sim::Vec3> change;  ///< m/s², of the velocity
   };
   /// How many states move as they say.
   struct Fit {
@@ -94,12 +99,15 @@ class MotionCheck {
     sim::BodyId body = 0;
     std::uint64_t step = 0;
     double way = 0, beside = 0;  ///< m
+    bool is_back = false;        ///< the next step undoes it
   };
   void look_at_order(const sim::Quat& q, bool is_first);
   [[nodiscard]] sim::Quat in_other_order(const sim::Quat& ours) const;
   void look_at_fall(const sim::Vec3& change, const sim::Vec3& before, const sim::Vec3& moved);
   void look_at_turn(const Before& before, const EngineState& state, double dt, bool is_quaternion);
   void look_at_leap(sim::BodyId body, const Before& before, double way, double edge);
+  void look_at_leap_and_back(sim::BodyId body, const Before& before, double way, double edge);
+  [[nodiscard]] std::string leap_text(const NameOf& name_of) const;
   [[nodiscard]] std::string wrong_order() const;
   void add_fall(std::vector<std::string>& out) const;
   [[nodiscard]] std::optional<std::size_t> down() const;

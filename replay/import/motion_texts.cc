@@ -86,7 +86,18 @@ std::string MotionCheck::wrong_order() const {
          " are half turns, 0 in w" + remedy;
 }
 
-void MotionCheck::add_to(std::vector<std::string>& out) const {
+std::string MotionCheck::leap_text(const NameOf& name_of) const {
+  const std::string name = name_of ? name_of(leap_.body) : "";
+  return "body " + std::to_string(leap_.body) + (name.empty() ? "" : " (" + in_quotes(name) + ")") + " moves by " +
+         rounded(axes_.their_metres(leap_.way), axes_.unit()) + " in step " + std::to_string(leap_.step) +
+         (leap_.is_back ? " and back in the next" : "") + ", and by at most " +
+         rounded(axes_.their_metres(leap_.beside), axes_.unit()) + " in the steps beside " +
+         (leap_.is_back ? "them" : "it") +
+         (leaps_ > 1 ? ", and " + count_text(leaps_ - 1, "leap") + " more likewise" : "") +
+         (leap_.is_back ? "; is the row of that step wrong?" : "; did the engine put it there, or is a row wrong?");
+}
+
+void MotionCheck::add_to(std::vector<std::string>& out, const NameOf& name_of) const {
   add_fall(out);
   const auto add = [&](const Fit& fit, const char* told, const char* moved, const char* remedy) {
     if (kOneIn * fit.all() < states_) return;
@@ -113,13 +124,7 @@ void MotionCheck::add_to(std::vector<std::string>& out) const {
         "; is the unit of the spins or dt another one, or are spins about the body's own axes? wanted rad/s about the "
         "world's");
   }
-  if (leaps_ == 0) return;
-  out.push_back("body " + std::to_string(leap_.body) + " moves by " +
-                rounded(axes_.their_metres(leap_.way), axes_.unit()) + " in step " + std::to_string(leap_.step) +
-                ", and by at most " + rounded(axes_.their_metres(leap_.beside), axes_.unit()) +
-                " in the steps beside it" +
-                (leaps_ > 1 ? ", and " + count_text(leaps_ - 1, "leap") + " more likewise" : "") +
-                "; did the engine put it there, or is a row wrong?");
+  if (leaps_ > 0) out.push_back(leap_text(name_of));
 }
 
 }  // namespace tumble::replay

@@ -202,5 +202,24 @@ TEST(ImportOddness, ALeapOfOneStepIsSaid) {
   EXPECT_EQ(warnings_of(moving(3, 3, false)), "") << "a hit: it goes on as fast";
 }
 
+TEST(ImportOddness, ALeapThereAndBackIsSaidWithTheNameOfTheBody) {
+  const auto leaping = [](double there, double back) {
+    std::string text = "# dt: 0.01\nstep,id,size.x,size.y,size.z," + std::string(kPose) + "\n";
+    for (int k = 0; k < 40; ++k) {
+      const double x = 0.001 * k + (k == 20 ? there : 0) + (k > 20 ? there - back : 0);
+      text += std::to_string(k) + ",cup,1,1,1," + exact(x) + ",0,5,1,0,0,0\n";
+    }
+    return text;
+  };
+  const std::string said = warnings_of(leaping(50, 50));
+  EXPECT_TRUE(holds(said,
+                    " (\"cup\") moves by 50 m in step 20 and back in the next, and by at most 0.001 m in the "
+                    "steps beside them; is the row of that step wrong?\n"))
+      << said;
+  EXPECT_EQ(warnings_of(leaping(0.9, 0.9)), "") << "less than its edge";
+  EXPECT_EQ(warnings_of(leaping(50, -50)), "") << "on, not back";
+  EXPECT_TRUE(holds(warnings_of(leaping(50, 0)), " (\"cup\") moves by 50 m in step 20, and"));
+}
+
 }  // namespace
 }  // namespace tumble::replay
