@@ -106,7 +106,13 @@ void MotionCheck::Fit::look(const sim::Vec3& moved, const sim::Vec3& told) {
   if (!std::isfinite(found)) return;
   const bool is_against = found < -kNear;
   ++(is_against ? against : (found > kFar || found < kNear) ? off : fitting);
-  if (!is_against && (found > kFar || found < kNear) && ratio == 0) ratio = sim::length(moved) / sim::length(told);
+  if (is_against || (found <= kFar && found >= kNear)) return;
+  const double size = sim::length(moved) / sim::length(told);
+  if (size > kNear && size < kFar) {
+    ++aside;
+  } else if (ratio == 0) {
+    ratio = size;
+  }
 }
 
 bool MotionCheck::Fit::mostly_fits() const { return fitting >= kStatesMin && 2 * fitting > all(); }

@@ -89,7 +89,8 @@ class MotionCheck {
   /// How many states move as they say.
   struct Fit {
     std::uint64_t fitting = 0, off = 0, against = 0;
-    double ratio = 0;  ///< of the first that is off
+    std::uint64_t aside = 0;  ///< off, in the direction alone
+    double ratio = 0;         ///< of the first that is off in size
     void look(const sim::Vec3& moved, const sim::Vec3& told);
     [[nodiscard]] std::uint64_t all() const { return fitting + off + against; }
     [[nodiscard]] bool mostly_fits() const;

@@ -105,6 +105,10 @@ void MotionCheck::add_to(std::vector<std::string>& out, const NameOf& name_of) c
     if (fit.against >= kStatesMin && 2 * fit.against > fit.all()) {
       out.push_back(std::string("bodies ") + moved + " against their " + told + " in " +
                     count_text(fit.against, "state") + of + "; have the " + told + " the opposite sign?");
+    } else if (fit.off >= kStatesMin && 2 * fit.off > fit.all() && 2 * fit.aside > fit.off) {
+      out.push_back(std::string("bodies ") + moved + " in another direction than their " + told + " say, as far, in " +
+                    count_text(fit.aside, "state") + of + "; are the " + told +
+                    " in the body's axes, wanted the world's, or are columns swapped?");
     } else if (fit.off >= kStatesMin && 2 * fit.off > fit.all()) {
       out.push_back(std::string("bodies ") + moved + ' ' + significant(fit.ratio, 3) +
                     " times as far in a step as their " + told + " say, in " + count_text(fit.off, "state") + of +

@@ -156,6 +156,21 @@ TEST(ImportOddness, ScalarLastThatWasGivenWronglyIsNotAdvised) {
   EXPECT_EQ(warnings_of(facing({0, 0, 0, 1}, 0, false), true), "") << "backwards";
 }
 
+TEST(ImportOddness, VelocitiesOfAnotherDirectionAreSaid) {
+  const auto moving_along_x = [](const std::string& velocity) {
+    std::string text = "# dt: 0.01\nstep,id," + std::string(kPose) + ",velocity.x,velocity.y,velocity.z\n";
+    for (int k = 0; k < 40; ++k) {
+      text += std::to_string(k) + ",1," + exact(0.1 * k) + ",0,0,1,0,0,0," + velocity + '\n';
+    }
+    return warnings_of(text);
+  };
+  EXPECT_EQ(moving_along_x("10,0,0"), "");
+  EXPECT_EQ(moving_along_x("0,10,0"),
+            "bodies move in another direction than their velocities say, as far, in 39 states of 39; are the "
+            "velocities in the body's axes, wanted the world's, or are columns swapped?\n");
+  EXPECT_TRUE(holds(moving_along_x("0,40,0"), "bodies move 0.25 times as far in a step as their velocities say"));
+}
+
 /// A body that begins with this speed along x and accelerates steadily along x and z; m/s, m/s².
 std::string driven(double speed, double x, double z, const std::string& gravity = "0 0 -9.81") {
   std::string text = "# dt: 0.01\n# gravity: " + gravity + "\nstep,id," + kPose + "\n";
