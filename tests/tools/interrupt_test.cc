@@ -129,20 +129,6 @@ TEST(Interrupt, ALogThatIsBeingWrittenIsNotCalledTorn) {
   EXPECT_EQ(shop.run({"info", "log.tumble"}).exit, 0);
 }
 
-// A shard without a case is interrupted as well: its canaries take a while, and a bundle would call the check whole.
-TEST(Interrupt, AShardWithoutACaseLeavesNoBundle) {
-  const Workshop shop;
-  for (const std::string& k : std::vector<std::string>{"1", "2"}) {  // one of the two has no case
-    Running check(shop, {"check", "tower", "--shard", k + "/2", "--report", "report"});
-    expect_interrupted(check.interrupt([] {
-      sleep_for(0.5);
-      return true;
-    }),
-                       "check");
-    EXPECT_FALSE(std::filesystem::exists(shop.path("report/bundle.json")));
-  }
-}
-
 TEST(Interrupt, AReaderThatLeavesIsNoFullDisk) {
   const Workshop shop;
   shop.write("suite.sh",
