@@ -14,7 +14,7 @@
 
 #include "golden/engine/table_reading.h"
 #include "golden/suite/text_files.h"
-#include "replay/import/import_csv.h"
+#include "replay/import/csv/import_csv.h"
 #include "replay/stream/import_stream.h"
 #include "replay/stream/stream_reader.h"
 #include "replay/stream/stream_tail.h"

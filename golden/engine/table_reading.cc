@@ -9,8 +9,8 @@
 #include "golden/suite/text_files.h"
 #include "replay/arrays/array_table.h"
 #include "replay/arrays/npz.h"
-#include "replay/import/csv_format.h"
-#include "replay/import/table_map.h"
+#include "replay/import/csv/csv_format.h"
+#include "replay/import/csv/table_map.h"
 
 namespace tumble::golden {
 namespace {

@@ -14,19 +14,33 @@
 
 namespace tumble::replay {
 
+/// The first place of an oddness, and how often there is one.
+class FirstOf {
+ public:
+  /// say: gives the text; called for the first alone.
+  template <class Say>
+  void add(Say say) {
+    if (++count_ == 1) text_ = say();
+  }
+  /// "t.csv:4:9: … , and 4 rows more likewise"; empty without one. one: "row"; empty: "and 4 more likewise".
+  [[nodiscard]] std::string text(const char* one = "") const;
+
+ private:
+  std::uint64_t count_ = 0;
+  std::string text_;
+};
+
 /// Contacts that none can be: a number that is not finite, a normal that is no direction. Keeps the first, and counts.
 class ContactCheck {
  public:
   void add(std::uint64_t step, const std::vector<EngineContact>& contacts);
   /// "step 3, contact of 1 and 2: depth is nan, and 4 more likewise"; empty without one.
-  [[nodiscard]] std::string not_finite() const { return text_of(first_not_finite_, not_finite_); }
+  [[nodiscard]] std::string not_finite() const { return not_finite_.text(); }
   /// "step 3, contact of 1 and 2: the normal has a length of 7, wanted 1".
-  [[nodiscard]] std::string no_direction() const { return text_of(first_no_direction_, no_direction_); }
+  [[nodiscard]] std::string no_direction() const { return no_direction_.text(); }
 
  private:
-  static std::string text_of(const std::string& first, std::uint64_t count);
-  std::string first_not_finite_, first_no_direction_;
-  std::uint64_t not_finite_ = 0, no_direction_ = 0;
+  FirstOf not_finite_, no_direction_;
 };
 
 /// What is odd about a table that can still be imported. Of each kind of oddness the first place is kept, and a count.
@@ -53,18 +67,9 @@ class TableNotes {
   std::set<sim::BodyId> lost_;
   NotFinite first_lost_;
   std::string place_of_lost_;
-  std::uint64_t rough_ = 0;
-  std::string first_rough_;
   std::string short_end_;
-  std::uint64_t back_ = 0;
-  std::string first_back_;
-  std::uint64_t renamed_ = 0;
-  std::string first_renamed_;
-  std::uint64_t called_twice_ = 0;
-  std::string first_called_twice_;
+  FirstOf rough_, back_, renamed_, called_twice_, same_name_;
   std::map<std::string, sim::BodyId> names_;
-  std::uint64_t same_names_ = 0;
-  std::string first_same_name_;
 };
 
 }  // namespace tumble::replay

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "replay/import/motion.h"
+#include "replay/import/motion_check.h"
 #include "replay/log/told_values.h"
 #include "replay/stream/stream_step.h"
 #include "tumble/replay/engine_log.h"

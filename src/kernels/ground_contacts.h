@@ -5,6 +5,9 @@
 
 namespace tumble::sim {
 
+/// m/s: slower than this there is no direction of slip to oppose.
+inline constexpr double kSlipMin = 1e-12;
+
 /// Boxes in the ground, in lanes, and the corners of each that lie in the ground.
 struct GroundPoints {
   static constexpr std::size_t kMost = 8;  ///< a multiple of every width

@@ -140,7 +140,7 @@ LaneLoad<V> share_load(const LaneBody<V>& body, const LaneEncounter<V>& met, con
     const Space<V> given = to_world(body.frame.axes, turning) * at_rest.normal;
     const Space<V> tilt = along_plane(spin + given, normal);
     const V speed = length(tilt);
-    still = slipless & (speed <= kSlipLeast);
+    still = slipless & (speed <= kSlipMin);
     tangent = chosen(slipless, divided(cross(tilt, normal), speed), tangent);
   }
   LaneMeeting<V> m = meeting;

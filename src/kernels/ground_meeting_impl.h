@@ -11,8 +11,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kSlipLeast = 1e-12;  // kSlipMin of src/thesis/meeting.h
-
 template <class V>
 using MaskOf = decltype(V{} < V{});
 
@@ -108,7 +106,7 @@ struct LaneEncounter {
     pull = rough ? length(pulling) : zero;
     const V speed_before = length(slipping_before), along = dot(slipping_before, slipping);
     slow = rough & ((speed_before < slip_speed_max) | (along < 0.0));
-    const auto slips = rough & (speed > kSlipLeast);
+    const auto slips = rough & (speed > kSlipMin);
     slip = slips ? speed : zero;
     tangent = chosen(slips, divided(slipping, speed), none);
     by_tangent = chosen(slips, to_body(body.frame.axes, cross(body.r, tangent)), none);

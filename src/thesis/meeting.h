@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/kernels/ground_contacts.h"
 #include "src/thesis/contact_body.h"
 #include "src/world/phase_scratch.h"
 #include "tumble/sim/rotation.h"
@@ -29,9 +30,6 @@ struct Impulses {
   double normal = 0, friction = 0;  // N·s
   double twist = 0;                 // N·m·s at most, about the normal
 };
-
-// Slower than this there is no direction of slip to oppose, m/s.
-inline constexpr double kSlipMin = 1e-12;
 
 inline Vec3 turn_of(const ContactBody& body, const Vec3& r, const Vec3& impulse) {
   if (body.inverse_mass == 0) return Vec3::Zero();

@@ -15,6 +15,7 @@
 #include "golden/suite/text_files.h"
 #include "src/base/rng.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/golden/suite.h"
 #include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
@@ -57,6 +58,24 @@ TEST(Canaries, ThatCouldNotBeAskedAreSaid) {
   result.shards = 5;
   EXPECT_TRUE(result.canaries_caught());
   EXPECT_EQ(result.canaries_text(), "no canary, 3 fell to other shards");
+}
+
+// Its canaries take a while, and a bundle would call the check whole.
+TEST(Shard, WithoutACaseCanBeInterrupted) {
+  const TemporarySuite suite;
+  suite.add("one");
+  CheckOptions options;
+  options.suite = suite.root();
+  options.selection.shards = 2;
+  options.selection.shard = 3 - shard_of_name("one", options.selection.shards);
+  const Result<SuiteResult> whole = check_suite(options);
+  ASSERT_TRUE(whole.ok()) << whole.error().message;
+  EXPECT_TRUE(whole->cases.empty());
+  options.pool.cancel = [] { return true; };
+  const Result<SuiteResult> cancelled = check_suite(options);
+  ASSERT_FALSE(cancelled.ok()) << "it is called finished";
+  EXPECT_EQ(cancelled.error().kind, ErrorKind::kCannotFinish);
+  EXPECT_NE(cancelled.error().message.find("interrupted"), std::string::npos) << cancelled.error().message;
 }
 
 TEST(Headline, CountsTheVerdictsOfCasesThatFailed) {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "replay/arrays/array_table.h"
-#include "replay/import/import_csv.h"
+#include "replay/import/csv/import_csv.h"
 #include "replay/log/byte_memory.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/compare.h"

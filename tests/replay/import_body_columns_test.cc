@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "replay/import/import_csv.h"
+#include "replay/import/csv/import_csv.h"
 #include "replay/log/byte_memory.h"
 #include "src/base/text.h"
 

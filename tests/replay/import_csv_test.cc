@@ -1,5 +1,5 @@
 // Tables of other engines' states: what they say, in whichever axes and units, and how they can be wrong.
-#include "replay/import/import_csv.h"
+#include "replay/import/csv/import_csv.h"
 
 #include <gtest/gtest.h>
 

@@ -70,7 +70,8 @@ std::vector<Room> logs() {
       {"replay/measure", above},
       {"replay/recover", above},
       {"replay/arrays", {"src/base"}},
-      {"replay/import", session + Folders{"replay/arrays"}},
+      {"replay/import", session},
+      {"replay/import/csv", session + Folders{"replay/arrays", "replay/import"}},
       {"replay/recorder", {}},
       {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
@@ -92,7 +93,8 @@ std::vector<Room> suite() {
                                       "replay/format",  "replay/codec",   "replay/log",     "replay/session",
                                       "replay/measure", "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
-  const Folders engine = {"golden/suite", "src/process", "replay/arrays", "replay/import", "replay/stream"};
+  const Folders engine = {"golden/suite",  "src/process",       "replay/arrays",
+                          "replay/import", "replay/import/csv", "replay/stream"};
   const Folders run = parts + engine + Folders{"golden/judge"};
   const Folders above = run + Folders{"golden/engine", "golden/run"};
   return {
@@ -120,16 +122,42 @@ std::vector<Room> suite() {
 }
 
 std::vector<Room> program() {
-  const Folders below =
-      kSim + Folders{"src/scenes",        "src/threads",        "src/render",        "src/render/picture",
-                     "replay/format",     "replay/codec",       "replay/log",        "replay/session",
-                     "replay/measure",    "replay/recover",     "replay/arrays",     "replay/import",
-                     "replay/stream",     "replay/picture",     "replay/probe",      "replay/diff",
-                     "replay/view",       "replay/blame",       "golden/suite",      "golden/expected",
-                     "golden/judge",      "golden/engine",      "golden/run",        "golden/canaries",
-                     "golden/report",     "golden/bless",       "golden/bundle",     "golden",
-                     "src/files",         "src/process",        "golden/hunt/scene", "golden/hunt/judge",
-                     "golden/hunt/apart", "golden/hunt/shrink", "golden/hunt"};
+  const Folders below = kSim + Folders{"src/scenes",
+                                       "src/threads",
+                                       "src/render",
+                                       "src/render/picture",
+                                       "replay/format",
+                                       "replay/codec",
+                                       "replay/log",
+                                       "replay/session",
+                                       "replay/measure",
+                                       "replay/recover",
+                                       "replay/arrays",
+                                       "replay/import",
+                                       "replay/import/csv",
+                                       "replay/stream",
+                                       "replay/picture",
+                                       "replay/probe",
+                                       "replay/diff",
+                                       "replay/view",
+                                       "replay/blame",
+                                       "golden/suite",
+                                       "golden/expected",
+                                       "golden/judge",
+                                       "golden/engine",
+                                       "golden/run",
+                                       "golden/canaries",
+                                       "golden/report",
+                                       "golden/bless",
+                                       "golden/bundle",
+                                       "golden",
+                                       "src/files",
+                                       "src/process",
+                                       "golden/hunt/scene",
+                                       "golden/hunt/judge",
+                                       "golden/hunt/apart",
+                                       "golden/hunt/shrink",
+                                       "golden/hunt"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

@@ -12,7 +12,7 @@
 
 #include "replay/arrays/array_table.h"
 #include "replay/arrays/npz.h"
-#include "replay/import/import_csv.h"
+#include "replay/import/csv/import_csv.h"
 #include "src/files/output_file.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"

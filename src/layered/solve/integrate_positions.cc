@@ -73,7 +73,7 @@ bool move(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
 }
 
 // Marks the contacts [begin, end) of fast pairs whose bodies have turned so far that they respond otherwise by more
-// than kStale: a turn by θ mixes directions by θ². Bodies of other pairs turn less.
+// than kStale: a turn by θ mixes directions by θ². Contacts of other pairs keep the responses of the step's start.
 void mark_turned(const Bodies& bodies, Scratch& scratch, std::size_t begin, std::size_t end, double substep_s) {
   const auto turned_far = [&](std::uint32_t row) {
     if (row >= bodies.size() || !bodies.moves(row)) return false;

@@ -1,4 +1,4 @@
-#include "replay/import/csv_format.h"
+#include "replay/import/csv/csv_format.h"
 
 #include <algorithm>
 #include <map>

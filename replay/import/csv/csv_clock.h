@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "replay/import/csv_format.h"
-#include "replay/import/csv_reader.h"
+#include "replay/import/csv/csv_format.h"
+#include "replay/import/csv/csv_reader.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::replay {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "replay/import/csv_reader.h"
+#include "replay/import/csv/csv_reader.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::replay {

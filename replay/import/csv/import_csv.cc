@@ -1,9 +1,9 @@
-#include "replay/import/import_csv.h"
+#include "replay/import/csv/import_csv.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "replay/import/csv_steps.h"
+#include "replay/import/csv/csv_steps.h"
 #include "replay/import/table_notes.h"
 #include "replay/log/log_facts.h"
 #include "src/base/text.h"

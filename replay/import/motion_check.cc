@@ -1,12 +1,10 @@
-#include "replay/import/motion.h"
+#include "replay/import/motion_check.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "src/base/text.h"
-#include "src/math/trig.h"
+#include "replay/import/derived_motion.h"
 
 namespace tumble::replay {
 namespace {
@@ -17,69 +15,7 @@ constexpr double kAgainst = 0.98;  // of an acceleration: along the way that is 
 constexpr double kLeap = 20;       // times as far as in the steps beside it
 constexpr double kRadian = 180 / std::numbers::pi;
 
-/// The turn from one orientation to the next: along its axis, rad.
-sim::Vec3 turn_between(const sim::Quat& p, const sim::Quat& q) {
-  const sim::Quat turn = sim::product(q, {p.w, -p.x, -p.y, -p.z});
-  const sim::Vec3 part = turn.w < 0 ? sim::Vec3(-turn.x, -turn.y, -turn.z) : sim::Vec3(turn.x, turn.y, turn.z);
-  const double sine = sim::length(part), size = 2 * std::atan2(sine, std::fabs(turn.w));
-  return sine > 0 ? sim::Vec3(part * (size / sine)) : sim::Vec3(0, 0, 0);
-}
-
-sim::Quat turn_after(const sim::Quat& a, const sim::Quat& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
-
-sim::Quat turn_about(int axis, double degrees) {
-  const sim::SinCos half = sim::sin_cos_degrees(degrees / 2);
-  return {half.cos, axis == 0 ? half.sin : 0, axis == 1 ? half.sin : 0, axis == 2 ? half.sin : 0};
-}
-
-/// The angular velocity that turns one orientation to the other in dt: the shorter way.
-sim::Vec3 spin_between(const sim::Quat& from, const sim::Quat& to, double dt) {
-  sim::Quat turn = turn_after(to, {from.w, -from.x, -from.y, -from.z});
-  if (turn.w < 0) turn = {-turn.w, -turn.x, -turn.y, -turn.z};
-  const sim::Vec3 axis = {turn.x, turn.y, turn.z};
-  const double sine = std::sqrt(axis.x() * axis.x() + axis.y() * axis.y() + axis.z() * axis.z());
-  if (sine == 0) return {0, 0, 0};
-  return axis * (2 * std::atan2(sine, turn.w) / (sine * dt));
-}
-
 }  // namespace
-
-std::optional<EulerOrder> parse_euler(std::string_view text) {
-  if (text.size() != 3) return std::nullopt;
-  EulerOrder order;
-  order.intrinsic = text[0] >= 'A' && text[0] <= 'Z';
-  const char first = order.intrinsic ? 'X' : 'x';
-  for (std::size_t k = 0; k < 3; ++k) {
-    order.axes[k] = text[k] - first;
-    if (order.axes[k] < 0 || order.axes[k] > 2 || (k > 0 && order.axes[k] == order.axes[k - 1])) return std::nullopt;
-  }
-  return order;
-}
-
-sim::Quat orientation_of(const EulerOrder& order, const std::array<double, 3>& degrees) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  sim::Quat q;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!std::isfinite(degrees[k])) return {kNaN, kNaN, kNaN, kNaN};
-    const sim::Quat turn = turn_about(order.axes[k], degrees[k]);
-    q = order.intrinsic ? turn_after(q, turn) : turn_after(turn, q);
-  }
-  return q;
-}
-
-void DerivedMotion::derive(sim::BodyId id, std::uint64_t step, double dt, bool velocity, bool spin,
-                           EngineState& state) {
-  const auto known = before_.find(id);
-  if (known != before_.end() && known->second.step + 1 == step && dt > 0) {
-    const Before& before = known->second;
-    if (velocity) state.velocity = (state.position - before.position) / dt;
-    if (spin) state.spin = spin_between(before.orientation, state.orientation, dt);
-  }
-  before_[id] = {step, state.position, state.orientation};
-}
 
 // Bodies in free flight accelerate alike, whatever else a scene does, and nothing else accelerates steadily along one
 // axis. So the axis along which most states accelerate, with no other acceleration beside it, is that of gravity.
@@ -139,11 +75,11 @@ void MotionCheck::look_at_turn(const Before& before, const EngineState& state, d
   const sim::Vec3 angle = (state.spin + before.spin) * (dt / 2);
   const double said = sim::length(angle);
   if (!(said > kSpinSeen * dt)) return;
-  const sim::Vec3 turned = turn_between(before.orientation, state.orientation);
+  const sim::Vec3 turned = spin_between(before.orientation, state.orientation, 1);
   if (is_quaternion && said < kTurnMax) {
     order_.look(turned, angle);
     const auto other = [&](const sim::Quat& q) { return axes_.turn(in_other_order(q)); };
-    other_order_.look(turn_between(other(before.orientation), other(state.orientation)), angle);
+    other_order_.look(spin_between(other(before.orientation), other(state.orientation), 1), angle);
   }
   if (!(said > kSpinMin * dt)) return;
   ++turns_;

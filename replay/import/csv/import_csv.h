@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "replay/import/csv_steps.h"
+#include "replay/import/csv/csv_steps.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/log_writer.h"

@@ -1,4 +1,4 @@
-#include "replay/import/csv_steps.h"
+#include "replay/import/csv/csv_steps.h"
 
 #include <algorithm>
 #include <cmath>

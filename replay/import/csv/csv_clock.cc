@@ -1,4 +1,4 @@
-#include "replay/import/csv_clock.h"
+#include "replay/import/csv/csv_clock.h"
 
 #include <algorithm>
 #include <charconv>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "replay/format/step_values.h"
-#include "replay/import/csv_format.h"
-#include "replay/import/csv_reader.h"
+#include "replay/import/csv/csv_format.h"
+#include "replay/import/csv/csv_reader.h"
 #include "tumble/replay/channel.h"
 #include "tumble/sim/result.h"
 

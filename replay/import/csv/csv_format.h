@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "replay/import/camera_change.h"
-#include "replay/import/csv_reader.h"
-#include "replay/import/motion.h"
+#include "replay/import/csv/csv_reader.h"
+#include "replay/import/derived_motion.h"
 #include "tumble/replay/channel.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/replay/step_record.h"

@@ -1,4 +1,4 @@
-#include "replay/import/table_map.h"
+#include "replay/import/csv/table_map.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "replay/import/csv_reader.h"
+#include "replay/import/csv/csv_reader.h"
 
 #include <algorithm>
 #include <charconv>

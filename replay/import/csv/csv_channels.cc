@@ -1,4 +1,4 @@
-#include "replay/import/csv_channels.h"
+#include "replay/import/csv/csv_channels.h"
 
 #include <algorithm>
 #include <array>

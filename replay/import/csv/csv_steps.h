@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "replay/import/csv_bodies.h"
-#include "replay/import/csv_channels.h"
-#include "replay/import/csv_clock.h"
-#include "replay/import/csv_format.h"
-#include "replay/import/csv_reader.h"
-#include "replay/import/motion.h"
-#include "replay/import/table_map.h"
+#include "replay/import/csv/csv_bodies.h"
+#include "replay/import/csv/csv_channels.h"
+#include "replay/import/csv/csv_clock.h"
+#include "replay/import/csv/csv_format.h"
+#include "replay/import/csv/csv_reader.h"
+#include "replay/import/csv/table_map.h"
+#include "replay/import/motion_check.h"
 #include "replay/import/table_notes.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/imported_table.h"

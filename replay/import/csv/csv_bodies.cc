@@ -1,4 +1,4 @@
-#include "replay/import/csv_bodies.h"
+#include "replay/import/csv/csv_bodies.h"
 
 #include <algorithm>
 #include <array>
