@@ -20,6 +20,7 @@ constexpr std::size_t kCommandLengthMax = 10'000;
 constexpr std::size_t kTextsMax = 1000;
 constexpr double kTimeoutMax = 1e6;
 constexpr scenes::NumberRule kTimeoutRule = {"a time", 0, kTimeoutMax, "s"};
+constexpr scenes::IntegerRule kSubstepsRule = {"a number of substeps", 1, 1000};
 
 /// Whether a command line can be split, where no shell does that.
 bool is_splittable(const std::string& command, bool shell) { return shell || process::split_words(command).ok(); }
@@ -95,6 +96,8 @@ EngineProject read_engine(TableReader& reader, const toml::table& table) {
   }
   project.scene = reader.text("scene", "", kCommandLengthMax);
   project.timeout_s = reader.number("timeout", 0, kTimeoutRule);
+  project.integrator = static_cast<Integrator>(reader.choice("integrator", 0, kIntegratorNames));
+  project.substeps = reader.integer("substeps", 1, kSubstepsRule);
   project.table = read_table(reader);
   read_claims(reader, project);
   reader.finish();
@@ -135,6 +138,12 @@ Result<EngineProject> read_project(const fs::path& file) {
   if (!text.ok()) return text.error();
   std::error_code error;
   return parse_project(*text, fs::absolute(file, error).lexically_normal());
+}
+
+double fall_in_a_step(const EngineProject& project) {
+  if (project.integrator == Integrator::kExact) return 1;
+  const double part = 1 / static_cast<double>(project.substeps);
+  return project.integrator == Integrator::kSemiImplicitEuler ? 1 + part : 1 - part;
 }
 
 Result<std::optional<EngineProject>> find_project(const fs::path& from) {

@@ -29,7 +29,7 @@ Result<hunt::Trace> engine_trace(const LawSession& session, const CaseEngine& en
   if (!text.ok()) return text.error();
   const Result<sim::SceneDef> scene = scenes::parse_scene(*text, file);
   if (!scene.ok()) return bad_input("the engine's scene is none of Tumble's: " + scene.error().message);
-  Result<hunt::Trace> trace = hunt::trace_of_log(session.log, *scene);
+  Result<hunt::Trace> trace = hunt::trace_of_log(session.log, *scene, engine.project);
   if (!trace.ok()) return trace;
   trace->again = [&session, &engine](const sim::SceneDef& other) -> Result<hunt::Trace> {
     if (!session.may_run) return bad_input("the engine is not run here");

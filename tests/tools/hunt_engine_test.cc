@@ -123,6 +123,50 @@ run = """(echo half a table; head -c 5000000 /dev/zero | tr '\\0' x) >{log}; ech
   EXPECT_FALSE(json.at("findings").at(3).contains("engine_files")) << "three of a kind are kept";
 }
 
+// A body that falls and flies on, as semi-implicit Euler moves it, as a table.
+constexpr const char* kFallingEngine = R"(/^dt = / { dt = $3 }
+/^steps = / { steps = $3 }
+END {
+  printf "# dt: %.17g\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,", dt
+  print "velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z,size.x,size.y,size.z,mass"
+  z = 50; v = 0
+  for (k = 0; k <= steps; ++k) {
+    printf "%d,1,%.17g,0,%.17g,1,0,0,0,3,0,%.17g,0,0,0,1,1,1,2\n", k, 3 * k * dt, z, v
+    v -= 10 * dt; z += v * dt
+  }
+}
+)";
+
+// Flights are judged by the integrator that the engine names, and are no parabolas without.
+TEST(HuntEngine, FliesByItsIntegrator) {
+  const Workshop shop;
+  shop.write("fall.awk", kFallingEngine);
+  shop.write("scenes/fall.toml",
+             "name = \"fall\"\n[world]\nmethod = \"layered\"\ndt = 0.0078125\nsteps = 20\ngravity = [0, 0, "
+             "-10]\nground = false\n"
+             "[[box]]\nid = 1\nmass = 2\nposition = [0, 0, 50]\nvelocity = [3, 0, 0]\n");
+  const auto status = [&shop](const std::string& keys) {
+    shop.write("tumble.toml", "[engine]\nshell = true\nrun = \"awk -f fall.awk {scene} >{log}\"\n" + keys +
+                                  "[engine.claims]\nflight = true\nhalved = true\n");
+    const Outcome run = shop.run({"hunt", "--engine", "--judge", "scenes", "--json"});
+    const Json json = Json::parse(run.out, nullptr, false);
+    EXPECT_TRUE(json.is_object()) << run.err;
+    for (const char* law : {"flight", "halved"}) {
+      EXPECT_EQ(json.at("relations").at(law).at("broken"), run.exit == 0 ? 0U : 1U) << law << run.out;
+      EXPECT_EQ(json.at("relations").at(law).at("held"), run.exit == 0 ? 1U : 0U) << law << run.out;
+    }
+    return run.exit;
+  };
+  EXPECT_EQ(status("integrator = \"semi_implicit_euler\"\n"), 0);
+  EXPECT_EQ(status(""), 1);
+  EXPECT_EQ(status("integrator = \"explicit_euler\"\n"), 1);
+  EXPECT_EQ(status("integrator = \"semi_implicit_euler\"\nsubsteps = 2\n"), 1);
+  shop.write("tumble.toml", "[engine]\nrun = \"engine {scene} {log}\"\nintegrator = \"euler\"\n");
+  const Outcome wrong = shop.run({"hunt", "--engine", "--count", "1"});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_NE(wrong.err.find("semi_implicit_euler"), std::string::npos) << wrong.err;
+}
+
 // A table is kept with the names that the engine gave its columns, a log as a log.
 TEST(HuntEngine, LeavesItsTableAsItWroteIt) {
   const auto kept_after = [](const Workshop& shop, const std::string& run, const std::string& more) {

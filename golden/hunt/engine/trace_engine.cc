@@ -150,12 +150,13 @@ Result<sim::World> world_of(const sim::SceneDef& scene) {
 
 }  // namespace
 
-Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene) {
+Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene, const golden::EngineProject& project) {
   const Result<sim::World> start = world_of(scene);
   if (!start.ok()) return start.error();
   Trace trace;
   trace.scene = scene;
   trace.external = true;
+  trace.fall = golden::fall_in_a_step(project);
   return read_session(log, std::move(trace), start->state());
 }
 
@@ -171,6 +172,7 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
   Trace trace;
   trace.scene = scene;
   trace.external = true;
+  trace.fall = golden::fall_in_a_step(project);
   trace.ran = ran;
   trace.again = [&project, scratch](const sim::SceneDef& other) { return trace_engine(project, other, scratch); };
   const Result<sim::World> start = world_of(scene);

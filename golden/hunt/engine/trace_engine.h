@@ -21,6 +21,6 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
 
 /// The session of an engine that a log holds, of a scene that the engine was given. No other session can be asked for:
 /// `again` is empty, which a caller that judges relations sets. Errors (kBadInput): a scene that is none.
-Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene);
+Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene, const golden::EngineProject& project);
 
 }  // namespace tumble::hunt

@@ -63,7 +63,8 @@ Judgement judge_flight(const Trace& trace) {
     if (listed(trace.steps[k], begun.id[i])) return;
     any = true;
     const double dt = trace.steps[k].dt;
-    const Vec3 wanted = begun.position[i] + (begun.velocity[i] + trace.begun(k).def.gravity * (0.5 * dt)) * dt;
+    const Vec3 wanted =
+        begun.position[i] + (begun.velocity[i] + trace.begun(k).def.gravity * (0.5 * dt * trace.fall)) * dt;
     worst.add(k + 1, begun.id[i], length(after.position[j] - wanted), 1e-9 + trace.rounding * length(wanted),
               "a free body left its parabola (m)");
     const double before = spin_energy(begun, i), now = spin_energy(after, j);

@@ -61,6 +61,8 @@ struct Trace {
   /// The state from which an engine's session has other bodies than its scene, as `failure` says. The trace ends
   /// before.
   std::optional<std::uint64_t> other_bodies = std::nullopt;
+  double fall = 1;      ///< how far a body at rest falls in a step, in ½ g dt²: 1 on a parabola; of an engine, by its
+                        ///< integrator
   double rounding = 0;  ///< of a number, relative, that laws allow besides their own bounds: of engines with floats
 
   [[nodiscard]] const sim::WorldState& after(std::size_t step) const { return states[step + 1]; }
