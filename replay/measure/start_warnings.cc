@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "replay/measure/measure_overlap.h"
+#include "replay/measure/start_loads.h"
 #include "src/base/text.h"
 #include "tumble/sim/limits.h"
 
@@ -26,18 +27,11 @@ constexpr double kTouching = 0.01;             // m
 constexpr std::size_t kShown = 3;              // of a kind; the others are counted
 constexpr std::size_t kTestsMax = 10'000'000;  // a fraction of a second
 constexpr double kUsualSubsteps = 8;
-constexpr double kMassRatioMax = 1e7;  // up to which the steppers are tested
 
 struct Overlap {
   std::size_t a, b;
   double depth;
   bool same_place;
-};
-
-/// Two bodies that touch, of which `heavy` is `times` as heavy.
-struct Load {
-  std::size_t heavy = 0, light = 0;
-  double times = 0;
 };
 
 double shortest_edge(const BoxFrame& box) { return 2 * box.half_extent.minCoeff(); }
@@ -61,7 +55,8 @@ struct Launch {
 
 class Start {
  public:
-  explicit Start(const sim::WorldState& start) : bodies_(start.bodies), world_(start.def), group_(bodies_.size()) {
+  explicit Start(const sim::WorldState& start)
+      : bodies_(start.bodies), world_(start.def), group_(bodies_.size()), loads_(bodies_, boxes_, world_) {
     std::iota(group_.begin(), group_.end(), std::size_t{0});
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       boxes_.push_back({bodies_.position[i], sim::axes_of(bodies_.orientation[i]), bodies_.half_extent[i]});
@@ -73,7 +68,7 @@ class Start {
     std::vector<std::string> out;
     add_overlaps(out);
     add_sunk(out);
-    add_load(out);
+    loads_.add_to(out);
     if (world_.ground || bodies_.size() + inputs.size() >= 2) {
       const std::vector<Launch> launches = launches_of(inputs);
       const std::vector<Pace> paces = paces_of(inputs);
@@ -120,10 +115,7 @@ class Start {
     }
     group_[group_of(i)] = group_of(j);
     if (bodies_.is_static[i] != 0 && bodies_.is_static[j] != 0) return;
-    const auto [light, heavy] = bodies_.mass[i] < bodies_.mass[j] ? std::pair(i, j) : std::pair(j, i);
-    const double times = bodies_.mass[heavy] / bodies_.mass[light];
-    const bool both_move = bodies_.is_static[i] == 0 && bodies_.is_static[j] == 0;
-    if (both_move && times > std::max(kMassRatioMax, load_.times)) load_ = {heavy, light, times};
+    loads_.look_at(i, j);
     const double depth = overlap_depth(boxes_[i], boxes_[j]);
     if (depth <= kDeep * std::min(shortest_edge(boxes_[i]), shortest_edge(boxes_[j]))) return;
     overlaps_.push_back({std::min(i, j), std::max(i, j), depth, boxes_[i].position == boxes_[j].position});
@@ -144,17 +136,6 @@ class Start {
     if (overlaps_.size() > kShown) {
       out.push_back("and " + count_text(overlaps_.size() - kShown, "more pair") + " overlap deeply at the start");
     }
-  }
-
-  // Measured with a cube of 1 mm under cubes of 1 m to 1 km of the same density: from 8·10⁹ times the mass on it is
-  // shot away, at any dt and number of substeps.
-  void add_load(std::vector<std::string>& out) const {
-    if (load_.times == 0) return;
-    std::string& line = out.emplace_back("body " + name(load_.heavy));
-    line.append(" is ").append(significant(load_.times, 2)).append(" times as heavy as body ");
-    line.append(name(load_.light)).append(", which it touches at the start");
-    line.append(": beyond 1e+07 times the light one may be pressed flat or shot away, whatever dt and substeps; ");
-    line.append("bring the masses closer together, or make one of the two static");
   }
 
   void add_sunk(std::vector<std::string>& out) const {
@@ -286,8 +267,8 @@ class Start {
   const sim::WorldDef& world_;
   std::vector<BoxFrame> boxes_;
   std::vector<std::size_t> group_;  // of bodies that touch, each pointing towards its group's first
+  StartLoads loads_;
   std::vector<Overlap> overlaps_;
-  Load load_;  // the worst
   bool complete_ = true;
 };
 

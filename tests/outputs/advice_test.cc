@@ -196,18 +196,6 @@ TEST(Advice, ABoxInABoxIsNamedByBothMethods) {
   }
 }
 
-// Nothing but other masses helps: neither dt nor substeps, which the warning of a coarse step advises.
-TEST(Advice, AHeavyBoxOnAMuchLighterOneIsNamedWhateverDt) {
-  const auto warned = [](const std::string& light, const std::string& heavy, const std::string& more = "") {
-    return warnings_of({"position = [0, 0, 0.5]\nmass = " + light, "position = [0, 0, 1.5]\nmass = " + heavy + more});
-  };
-  EXPECT_TRUE(holds(warned("0.001", "1e6"),
-                    "body 2 is 1e+09 times as heavy as body 1, which it touches at the start: beyond 1e+07 times"))
-      << warned("0.001", "1e6");
-  EXPECT_EQ(warned("0.001", "1e3"), "");
-  EXPECT_EQ(warned("0.001", "1e6", "\nstatic = true"), "");
-}
-
 TEST(Advice, AStackThatStandsIsNone) {
   EXPECT_EQ(warnings_of({"position = [0, 0, 0.5]\nfrozen = true", "position = [0, 0, 1.5]\nfrozen = true"}), "");
   EXPECT_EQ(warnings_of({"position = [0, 0, 3]\nstatic = true", "position = [0, 0, 4]\nfrozen = true"}), "");

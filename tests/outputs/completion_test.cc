@@ -80,5 +80,55 @@ TEST(Completion, OffersTheWordsThatACommandTakes) {
   EXPECT_TRUE(offered_by_bash(shop, "record bri").empty()) << "files are completed by bash itself";
 }
 
+/// A command line up to the name of an option.
+struct Value {
+  std::string before;
+  Words arguments;  // with a value that is none, which the error answers with those that there are
+};
+
+// What shells offer for an option's value is what the option takes: an error lists it.
+TEST(Completion, OffersTheValuesThatAnOptionTakes) {
+  const Workshop shop;
+  shop.record_small("a");
+  const std::vector<Value> values = {{"check --annotate", {"check", "--annotate", "nothing"}},
+                                     {"check --require", {"check", "--require", "nothing"}},
+                                     {"record a --mirror", {"record", "a.toml", "--mirror", "nothing"}},
+                                     {"hunt --relation", {"hunt", "--relation", "nothing"}},
+                                     {"render a --gl", {"render", "a.tumble", "--gl", "nothing"}},
+                                     {"render a --pass", {"render", "a.tumble", "--pass", "nothing"}},
+                                     {"render a --show", {"render", "a.tumble", "--show", "nothing"}},
+                                     {"render a --effects", {"render", "a.tumble", "--effects", "nothing"}},
+                                     {"help --completion", {"help", "--completion", "nothing"}}};
+  for (const auto& [before, arguments] : values) {
+    const Outcome wrong = shop.run(arguments);
+    EXPECT_EQ(wrong.exit, 2) << before;
+    const Words offered = offered_by_bash(shop, before + " \"\"");
+    EXPECT_GE(offered.size(), 2U) << before;
+    for (const std::string& word : offered) EXPECT_TRUE(holds(wrong.err, word)) << before << ": " << wrong.err;
+  }
+}
+
+// Errors name too many metrics to list them; each one that is offered makes a bound.
+TEST(Completion, OffersMetrics) {
+  const Workshop shop;
+  shop.record_small("a");
+  Words words = {"measure", "a.tumble", "--json"};
+  for (const std::string& metric : offered_by_bash(shop, "measure a --require \"\"")) {
+    words.insert(words.end(), {"--require", metric + "<=0.25"});
+  }
+  EXPECT_GT(words.size(), 40U);
+  EXPECT_NE(shop.run(words).exit, 2) << shop.run(words).err;
+}
+
+TEST(Completion, OffersValuesBehindAnEqualSignAndInEveryShell) {
+  const Workshop shop;
+  EXPECT_EQ(offered_by_bash(shop, "record a --hashes = st"), Words{"states"});
+  EXPECT_EQ(offered_by_bash(shop, "record a --hashes =").size(), 3U);
+  EXPECT_EQ(offered_by_bash(shop, "blame a --field velocity."), (Words{"velocity.x", "velocity.y", "velocity.z"}));
+  EXPECT_TRUE(offered_by_bash(shop, "record a --output \"\"").empty()) << "files are completed by bash itself";
+  EXPECT_TRUE(holds(shop.run({"help", "--completion", "zsh"}).out, ":SERVICE:(github gitlab)'"));
+  EXPECT_TRUE(holds(shop.run({"help", "--completion", "fish"}).out, " -l annotate -x -a 'github gitlab' -d "));
+}
+
 }  // namespace
 }  // namespace tumble::test

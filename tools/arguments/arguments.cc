@@ -82,6 +82,12 @@ std::string names_something(const std::string& text) {
   return text.empty() ? found_wanted(in_quotes(text), "a value; leave the option out where there is none") : "";
 }
 
+/// "-o", "--output" or "LOG": the first of the names under which help lists an argument.
+std::string first_name(const CLI::Option& option) {
+  if (!option.get_snames().empty()) return '-' + option.get_snames().front();
+  return option.get_lnames().empty() ? option.get_name() : "--" + option.get_lnames().front();
+}
+
 CLI::ValidationError wrong(const std::string& name, const std::string& found, const std::string& wanted) {
   return CLI::ValidationError(name, found_wanted(in_quotes(found), wanted));
 }
@@ -103,6 +109,11 @@ Argument Argument::needs(Argument other) const {
   return *this;
 }
 
+Argument Argument::offers(std::vector<std::string> words) const {
+  (*words_)[first_name(*option_)] = std::move(words);
+  return *this;
+}
+
 Arguments::Arguments(const std::string& command, const std::string& summary)
     : app_(std::make_unique<CLI::App>(summary, command)) {
   app_->formatter(std::make_shared<HelpFormat>());
@@ -112,7 +123,7 @@ Arguments::Arguments(const std::string& command, const std::string& summary)
 Arguments::~Arguments() = default;
 
 Argument Arguments::positional(const std::string& name, std::string& target, const std::string& description) {
-  return Argument(app_->add_option(name, target, description)->type_name(""));
+  return Argument(app_->add_option(name, target, description)->type_name(""), words_);
 }
 
 Argument Arguments::positional(const std::string& name, std::string& target,
@@ -122,23 +133,24 @@ Argument Arguments::positional(const std::string& name, std::string& target,
   const auto check = [known = words_[name], wanted](const std::string& text) {
     return std::ranges::find(known, text) == known.end() ? found_wanted(in_quotes(text), wanted) : "";
   };
-  return Argument(app_->add_option(name, target, wanted)->type_name("")->check(check));
+  return Argument(app_->add_option(name, target, wanted)->type_name("")->check(check), words_);
 }
 
 Argument Arguments::positionals(const std::string& name, std::vector<std::string>& target,
                                 const std::string& description) {
-  return Argument(app_->add_option(name, target, description)->type_name(""));
+  return Argument(app_->add_option(name, target, description)->type_name(""), words_);
 }
 
 Argument Arguments::option(const std::string& names, const std::string& sign, std::string& target,
                            const std::string& description) {
-  return Argument(app_->add_option(names, target, description)->type_name(sign)->check(names_something));
+  return Argument(app_->add_option(names, target, description)->type_name(sign)->check(names_something), words_);
 }
 
 Argument Arguments::option(const std::string& names, const std::string& sign, std::vector<std::string>& target,
                            const std::string& description) {
   return Argument(
-      app_->add_option(names, target, description)->type_name(sign)->allow_extra_args(false)->check(names_something));
+      app_->add_option(names, target, description)->type_name(sign)->allow_extra_args(false)->check(names_something),
+      words_);
 }
 
 Argument Arguments::whole(const std::string& name, const std::string& sign, std::optional<std::uint64_t>& target,
@@ -148,7 +160,7 @@ Argument Arguments::whole(const std::string& name, const std::string& sign, std:
     if (target && *target >= low && *target <= high) return;
     throw wrong(name, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   };
-  return Argument(app_->add_option_function<std::string>(name, read, description)->type_name(sign));
+  return Argument(app_->add_option_function<std::string>(name, read, description)->type_name(sign), words_);
 }
 
 Argument Arguments::positive(const std::string& name, const std::string& sign, std::optional<double>& target,
@@ -158,11 +170,11 @@ Argument Arguments::positive(const std::string& name, const std::string& sign, s
     if (target && *target > 0 && *target <= high) return;
     throw wrong(name, text, "a number above 0, at most " + number_text(high));
   };
-  return Argument(app_->add_option_function<std::string>(name, read, description)->type_name(sign));
+  return Argument(app_->add_option_function<std::string>(name, read, description)->type_name(sign), words_);
 }
 
 Argument Arguments::flag(const std::string& name, bool& target, const std::string& description) {
-  return Argument(app_->add_flag(name, target, description));
+  return Argument(app_->add_flag(name, target, description), words_);
 }
 
 Argument Arguments::json(bool& target) { return flag("--json", target, "Print JSON to standard output"); }
@@ -184,7 +196,7 @@ std::vector<ArgumentText> Arguments::listed() const {
     text.description = option->get_description();
     text.required = option->get_required();
     text.repeats = option->get_items_expected_max() > 1;
-    if (const auto words = words_.find(text.names.front()); words != words_.end()) text.words = words->second;
+    if (const auto words = words_.find(first_name(*option)); words != words_.end()) text.words = words->second;
     arguments.push_back(std::move(text));
   }
   return arguments;

@@ -24,11 +24,16 @@ class Argument {
   Argument excludes(Argument other) const;  ///< both at once are an error
   Argument needs(Argument other) const;     ///< this one without the other is an error
 
+  /// What a shell offers for the value of an option. A word that ends with '=' wants more behind it.
+  Argument offers(std::vector<std::string> words) const;
+
  private:
   friend class Arguments;
-  explicit Argument(CLI::Option* option) : option_(option) {}
+  using WordsByName = std::map<std::string, std::vector<std::string>>;
+  Argument(CLI::Option* option, WordsByName& words) : option_(option), words_(&words) {}
 
   CLI::Option* option_;
+  WordsByName* words_;
 };
 
 /// The outcome of reading a command line.
@@ -45,7 +50,7 @@ struct ArgumentText {
   std::string description;
   bool required = false;
   bool repeats = false;                 ///< may be given more than once
-  std::vector<std::string> words = {};  ///< the only values; empty: any
+  std::vector<std::string> words = {};  ///< of a positional the only values, of an option usual ones; empty: any
 
   [[nodiscard]] bool positional() const { return !names.front().starts_with('-'); }
 };
@@ -101,7 +106,7 @@ class Arguments {
 
  private:
   std::unique_ptr<CLI::App> app_;
-  std::map<std::string, std::vector<std::string>> words_;  // of arguments with a few, by their names
+  Argument::WordsByName words_;  // of arguments with a few, by their names
 };
 
 }  // namespace tumble::tools

@@ -3,12 +3,16 @@
 namespace tumble::tools {
 
 void add_kept(Arguments& arguments, KeptArguments& target) {
-  arguments.option("--states", "MODE", target.states,
-                   "States in the log: all (if not given), every:N (one step in N) or hashes (none); the others "
-                   "can be simulated again");
-  arguments.option("--hashes", "MODE", target.hashes,
-                   "Hashes of phases in the log: all (if not given), every:N (one step in N) or states (none, only "
-                   "the hash of each state); diff and replay tell what they could not compare");
+  arguments
+      .option("--states", "MODE", target.states,
+              "States in the log: all (if not given), every:N (one step in N) or hashes (none); the others "
+              "can be simulated again")
+      .offers({"all", "every:2", "hashes"});
+  arguments
+      .option("--hashes", "MODE", target.hashes,
+              "Hashes of phases in the log: all (if not given), every:N (one step in N) or states (none, only "
+              "the hash of each state); diff and replay tell what they could not compare")
+      .offers({"all", "every:2", "states"});
 }
 
 Result<Kept> parse_kept(const KeptArguments& arguments) {

@@ -21,11 +21,13 @@ void declare_arguments(Arguments& arguments, LiveArguments& target) {
       .excludes(from);
   arguments.flag("--even", target.even, "Steps of exactly the scene's dt, instead of steps as long as the clock's");
   arguments.threads(target.threads);
-  arguments.option("--states", "MODE", target.states, "States in the log: all (if not given), every:N or hashes");
+  arguments.option("--states", "MODE", target.states, "States in the log: all (if not given), every:N or hashes")
+      .offers({"all", "every:2", "hashes"});
   arguments.option("--size", "WxH", target.size, "Width and height of the window in pixels (default: 960x600)");
   arguments.whole("--samples", "N", target.samples, 1, 4,
                   "Samples a pixel along each edge (1): more are smooth and slow");
-  arguments.option("--effects", "LIST", target.effects, "Effects at the start, as for 'tumble render'");
+  arguments.option("--effects", "LIST", target.effects, "Effects at the start, as for 'tumble render'")
+      .offers({"all", "none", "specular", "shadow", "bloom", "dof", "motion", "vertex"});
   arguments.positive("--measure", "S", target.measure, 3600,
                      "Play by itself for S seconds: throw a box every half second, turn the camera, then close and "
                      "report frames a second; for 'tumble bench live'");

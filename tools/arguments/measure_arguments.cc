@@ -4,19 +4,27 @@
 #include <string>
 #include <utility>
 
+#include "replay/measure/metric_list.h"
 #include "src/base/text.h"
 #include "tools/arguments/arguments.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 
+std::vector<std::string> metric_words() {
+  std::vector<std::string> words;
+  for (const replay::MetricRow& metric : replay::metric_list()) words.emplace_back(metric.name);
+  return words;
+}
+
 void add_measure(Arguments& arguments, MeasureArguments& target) {
   arguments.option(
       "--bodies", "LIST", target.bodies,
       "Measure these: ids (7), ranges (3-9), names, tables of the scene (grid, tower:1, input), joined by commas");
-  arguments.option(
-      "--axis", "AXIS", target.axis,
-      "The axis along which nothing should move: x (if not given) or y; in an imported session, one of its own");
+  arguments
+      .option("--axis", "AXIS", target.axis,
+              "The axis along which nothing should move: x (if not given) or y; in an imported session, one of its own")
+      .offers({"x", "y", "z"});
   arguments.whole("--from-step", "K", target.from_step, 0, sim::kStepsMax,
                   "Measure from the state after step K on, as if it were the start");
 }

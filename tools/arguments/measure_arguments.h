@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "replay/measure/measure_options.h"
 #include "tools/arguments/arguments.h"
@@ -17,6 +18,9 @@ struct MeasureArguments {
   std::string axis;  ///< empty: not given
   std::optional<std::uint64_t> from_step;
 };
+
+/// The names of all metrics, which begin a bound.
+std::vector<std::string> metric_words();
 
 /// Declares --bodies, --axis and --from-step.
 void add_measure(Arguments& arguments, MeasureArguments& target);

@@ -138,14 +138,21 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
   arguments.option("--size", "WxH", target.size, "Width and height in pixels (default: 640x480)");
   arguments.whole("--samples", "N", target.samples, 1, render::kSamplesMax,
                   "Samples of a pixel along each edge: 1 is quick, 2 (default) has smooth edges");
-  arguments.option("--effects", "LIST", target.effects,
-                   "all, none, or some of specular,shadow,bloom,dof,motion,vertex; with - before each, all but these");
-  arguments.option("--pass", "NAME", target.pass,
-                   "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)");
-  arguments.option("--show", "LIST", target.show, "Some of bounds,contacts,freezing,velocities");
-  arguments.option("--camera", "KEY=VALUE", target.camera,
-                   "Another camera: position=X,Y,Z, target=X,Y,Z (m), fov=DEGREES, focus=M (the distance to the target "
-                   "if not given), blur=B; may be repeated");
+  arguments
+      .option("--effects", "LIST", target.effects,
+              "all, none, or some of specular,shadow,bloom,dof,motion,vertex; with - before each, all but these")
+      .offers({"all", "none", "specular", "shadow", "bloom", "dof", "motion", "vertex"});
+  arguments
+      .option("--pass", "NAME", target.pass,
+              "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)")
+      .offers({"depth", "base", "masks", "shrunk", "hdr", "blur_x", "blurred", "glow", "final"});
+  arguments.option("--show", "LIST", target.show, "Some of bounds,contacts,freezing,velocities")
+      .offers({"bounds", "contacts", "freezing", "velocities"});
+  arguments
+      .option("--camera", "KEY=VALUE", target.camera,
+              "Another camera: position=X,Y,Z, target=X,Y,Z (m), fov=DEGREES, focus=M (the distance to the target "
+              "if not given), blur=B; may be repeated")
+      .offers({"position=", "target=", "fov=", "focus=", "blur="});
   arguments.option("--compare", "OTHER", target.compare,
                    "Draw OTHER over LOG: bodies that differ are orange, OTHER's are blue");
   const Argument speed =
@@ -160,7 +167,8 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
       .excludes(every)
       .excludes(speed);
   arguments.positive("--fps", "F", target.fps, kFpsMax, "Frames a second of a movie (default: 30)");
-  arguments.option("--gl", "WHICH", target.gl, "OpenGL through: auto (default), osmesa, egl");
+  arguments.option("--gl", "WHICH", target.gl, "OpenGL through: auto (default), osmesa, egl")
+      .offers({"auto", "osmesa", "egl"});
   arguments.json(target.json);
 }
 

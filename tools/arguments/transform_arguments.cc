@@ -33,6 +33,7 @@ void add_transform(Arguments& arguments, TransformArguments& target, Argument ex
   arguments
       .option("--mirror", "AXIS", target.mirror,
               "Mirror the scene: x (x becomes -x), y, or diagonal (x and y change places)")
+      .offers({"x", "y", "diagonal"})
       .excludes(excluded);
   arguments.option("--shift", "X,Y", target.shift, "Move the scene by X and Y metres").excludes(excluded);
   arguments

@@ -130,15 +130,19 @@ Action declare_bench(Arguments& arguments) {
                    "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); view, "
                    "export: grid_N (grid_80); threads: 6400, 25600, "
                    "102400, pile, large_pyramid; may be repeated");
-  arguments.option(
-      "--engine", "NAME", options->engines,
-      "peers: only thesis, bullet, ode, mujoco or none beside ours; table1: these beside ours; accuracy: only thesis, "
-      "layered, bullet or ode; may be repeated. Without it, engines that are not built are left out, and said");
+  arguments
+      .option("--engine", "NAME", options->engines,
+              "peers: only thesis, bullet, ode, mujoco or none beside ours; table1: these beside ours; accuracy: only "
+              "thesis, "
+              "layered, bullet or ode; may be repeated. Without it, engines that are not built are left out, and said")
+      .offers({"thesis", "layered", "bullet", "ode", "mujoco", "none"});
   arguments.flag("--measure", options->measure,
                  "threads: measure two threads beside two copies of the program side by side");
   arguments.flag("--large", options->large, "peers: also the scenes of 1600 bodies and more");
-  arguments.option("--method", "NAME", options->method,
-                   "table1 (thesis), scaling (layered), memory (the scene's): another method");
+  arguments
+      .option("--method", "NAME", options->method,
+              "table1 (thesis), scaling (layered), memory (the scene's): another method")
+      .offers({"layered", "thesis"});
   arguments.option("--plot", "FILE.svg|png", options->plot, "scaling: also draw it, with gnuplot");
   arguments.option("--save", "FILE.json", options->save,
                    "Also write the results and the machine to this file, as JSON");

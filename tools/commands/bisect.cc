@@ -203,9 +203,10 @@ Result<Exit> find_commit(const BisectCommand& options) {
 }
 
 void declare_question(Arguments& arguments, BisectCommand& options) {
-  arguments.option(
-      "--metric", "EXPR", options.metric,
-      "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'");
+  arguments
+      .option("--metric", "EXPR", options.metric,
+              "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'")
+      .offers(metric_words());
   add_measure(arguments, options.measure);
   arguments.option("--case", "NAME", options.case_name,
                    "Ask whether each revision's own check of this golden case passes");

@@ -78,6 +78,12 @@ Result<Exit> blame(BlameCommand options) {
   return judge("blame", *log, Exit::kSame);
 }
 
+std::vector<std::string> field_words() {
+  std::vector<std::string> words = {replay::kColumnNames.begin(), replay::kColumnNames.end()};
+  words.emplace_back("frozen");
+  return words;
+}
+
 }  // namespace
 
 Action declare_blame(Arguments& arguments) {
@@ -86,9 +92,11 @@ Action declare_blame(Arguments& arguments) {
   arguments.option("--body", "ID", options->body_named, "The body whose value is asked about, by its id or its name")
       .required();
   const Argument field =
-      arguments.option("--field", "NAME", options->field,
-                       "The value: position.x, orientation.w, velocity.x, spin.x (angular velocity), frozen, …; unless "
-                       "given, the component of position that changed most in step K");
+      arguments
+          .option("--field", "NAME", options->field,
+                  "The value: position.x, orientation.w, velocity.x, spin.x (angular velocity), frozen, …; unless "
+                  "given, the component of position that changed most in step K")
+          .offers(field_words());
   arguments.whole("--step", "K", options->step, 0, sim::kStepsMax,
                   "The value after step K; the last step unless given");
   const Argument back =

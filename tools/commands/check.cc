@@ -162,6 +162,7 @@ Action declare_check(Arguments& arguments) {
   arguments
       .option("--require", "VERDICT", options->require,
               "A verdict that decides, instead of each case's own: exact, behaviour or image; may be repeated")
+      .offers({"exact", "behaviour", "image"})
       .excludes(merge);
   arguments
       .flag("--heavy", options->heavy,
@@ -171,9 +172,11 @@ Action declare_check(Arguments& arguments) {
                    "The folder for index.html, junit.xml, report.json and the logs of failed "
                    "cases; report if not given");
   arguments.option("--junit", "FILE", options->junit, "Write junit.xml to this file instead");
-  arguments.option("--annotate", "SERVICE", options->annotate,
-                   "Show failures beside the change: github (workflow commands are printed) or gitlab (the report gets "
-                   "gl-code-quality-report.json)");
+  arguments
+      .option("--annotate", "SERVICE", options->annotate,
+              "Show failures beside the change: github (workflow commands are printed) or gitlab (the report gets "
+              "gl-code-quality-report.json)")
+      .offers({"github", "gitlab"});
   arguments
       .option("--shard", "K/N", options->shard,
               "Only the K-th of N parts of the suite; auto: as the environment of the build system says")

@@ -183,12 +183,15 @@ Action declare_diff(Arguments& arguments) {
   arguments.positional("B", options->b, "The log to compare with it").required();
   arguments.positionals("MORE", options->more,
                         "Further logs of runs that should agree: groups all of them and names the odd ones");
-  const Argument tolerance = arguments.option(
-      "--tolerance", "FIELD=V", options->tolerances,
-      "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
-      "the angle of FIELD orientation (rad), is at most V apart; states then decide, not hashes. FIELD may "
-      "also be a channel, or a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be "
-      "repeated");
+  const Argument tolerance =
+      arguments
+          .option(
+              "--tolerance", "FIELD=V", options->tolerances,
+              "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
+              "the angle of FIELD orientation (rad), is at most V apart; states then decide, not hashes. FIELD may "
+              "also be a channel, or a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be "
+              "repeated")
+          .offers({"position=", "orientation=", "velocity=", "spin="});
   const Argument step =
       arguments
           .whole(

@@ -45,6 +45,12 @@ struct HuntCommand {
   bool json = false;
 };
 
+std::vector<std::string> relation_words() {
+  std::vector<std::string> words;
+  for (const hunt::Relation& relation : hunt::relations()) words.emplace_back(relation.name);
+  return words;
+}
+
 Result<Exit> print_scene(const HuntCommand& options) {
   const Result<hunt::TextScene> scene = hunt::drawn_scene(options.seed.value_or(1), *options.print);
   if (!scene.ok()) return scene.error();
@@ -200,17 +206,22 @@ Action declare_hunt(Arguments& arguments) {
       "--shard", "K/N", options->shard,
       "Only the scenes whose number mod N is K - 1; auto: as the environment of the build system says");
   const Argument relation =
-      arguments.option("--relation", "NAME", options->relations,
-                       "Judge by this relation or law alone; may be repeated; all if not given. With --against "
-                       "also by against and the bounds of --within, unless against or an against_METRIC is "
-                       "named");
+      arguments
+          .option("--relation", "NAME", options->relations,
+                  "Judge by this relation or law alone; may be repeated; all if not given. With --against "
+                  "also by against and the bounds of --within, unless against or an against_METRIC is "
+                  "named")
+          .offers(relation_words());
   const Argument against =
       arguments.option("--against", "PROGRAM", options->against,
                        "Another build of tumble: every session must have the same bits there; it has 60 s a scene");
-  const Argument within = arguments.option(
-      "--within", "BOUND", options->within,
-      "How far sessions of --against may be apart: bits (not at all, if not given), bounds (the usual "
-      "bounds, which --relations lists), or METRIC=AMOUNT, as in gain_max=0.1, 5% or 0.1+5%; may be repeated");
+  const Argument within =
+      arguments
+          .option(
+              "--within", "BOUND", options->within,
+              "How far sessions of --against may be apart: bits (not at all, if not given), bounds (the usual "
+              "bounds, which --relations lists), or METRIC=AMOUNT, as in gain_max=0.1, 5% or 0.1+5%; may be repeated")
+          .offers({"bits", "bounds"});
   const Argument engine = arguments.flag(
       "--engine", options->engine,
       "Judge the engine of the nearest tumble.toml; what its [engine.claims] lacks is measured and no failure");

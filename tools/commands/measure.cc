@@ -209,8 +209,10 @@ Action declare_measure(Arguments& arguments) {
   arguments.option("--plot", "FILE.svg|png", options->plot,
                    "Also draw energy, heights and overlap over time, with gnuplot");
   add_measure(arguments, options->over);
-  arguments.option("--require", "EXPR", options->require,
-                   "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated");
+  arguments
+      .option("--require", "EXPR", options->require,
+              "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated")
+      .offers(metric_words());
   arguments.option(
       "--with", "LOG", options->pair,
       "The log of the transformed scene (record --mirror, --permute, --shift): also measure the errors of the pair");

@@ -13,6 +13,7 @@
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/measure_arguments.h"
 #include "tools/files/log_files.h"
 #include "tools/output/progress.h"
 #include "tools/view/case_bounds.h"
@@ -184,8 +185,10 @@ Action declare_view(Arguments& arguments) {
       .needs(output);
   arguments.whole("--port", "N", options->port, 1, kPortMax, "Serve on this port of 127.0.0.1, not on any free one")
       .excludes(output);
-  arguments.option("--require", "EXPR", options->require,
-                   "Show in the timeline where a bound on a metric breaks, as in 'lateral_max<=0'. May be repeated");
+  arguments
+      .option("--require", "EXPR", options->require,
+              "Show in the timeline where a bound on a metric breaks, as in 'lateral_max<=0'. May be repeated")
+      .offers(metric_words());
   arguments.option("--bounds", "FILE", options->rules,
                    "Likewise the bounds of a case: its metrics.toml, as golden/cases/NAME/metrics.toml");
   arguments.footer(

@@ -1,11 +1,14 @@
 #include "tools/manual/completion.h"
 
 #include <algorithm>
+#include <array>
 
 #include "src/base/text.h"
 
 namespace tumble::tools {
 namespace {
+
+constexpr std::array kShells = {"bash", "zsh", "fish"};
 
 std::string command_names(const std::vector<ManualEntry>& commands) {
   std::string names;
@@ -34,6 +37,15 @@ std::string words_of(const ManualEntry& command) {
   return positional == command.arguments.end() ? "" : joined(positional->words);
 }
 
+/// The options whose values are among a few words, as a pattern of bash: "--gl" or "-o|--output".
+std::string either_name(const ArgumentText& option) {
+  std::string text;
+  for (const std::string& name : option.names) text += (text.empty() ? "" : "|") + name;
+  return text;
+}
+
+bool has_words(const ArgumentText& argument) { return !argument.positional() && !argument.words.empty(); }
+
 // Text inside single quotes of a shell; zsh also reads colons and brackets in it.
 std::string single_quoted(const std::string& text, bool for_zsh) {
   std::string out;
@@ -54,21 +66,45 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
   std::string text =
       "# bash completion of tumble\n"
       "_tumble() {\n"
-      "  local word=${COMP_WORDS[COMP_CWORD]} options=\"\" words=\"\"\n"
+      "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} options=\"\" words=\"\" "
+      "values=\"\"\n"
+      "  if [[ $word == = ]]; then\n"
+      "    word=\"\"\n"
+      "  elif [[ $before == = ]]; then\n"
+      "    before=${COMP_WORDS[COMP_CWORD - 2]}\n"
+      "  fi\n"
       "  COMPREPLY=()\n"
       "  if ((COMP_CWORD == 1)) || { ((COMP_CWORD == 2)) && [[ ${COMP_WORDS[1]} == help ]]; }; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W '" +
       command_names(commands) +
       " --version --help' -- \"$word\")\n"
       "    return\n"
+      "  elif [[ ${COMP_WORDS[1]} == help && ${COMP_WORDS[2]} == --completion ]]; then\n"
+      "    mapfile -t COMPREPLY < <(compgen -W '" +
+      joined({kShells.begin(), kShells.end()}) +
+      "' -- \"$word\")\n"
+      "    return\n"
       "  fi\n"
       "  case ${COMP_WORDS[1]} in\n";
   for (const ManualEntry& command : commands) {
-    text += "    " + command.name + ") options='" + option_names(command) + "' words='" + words_of(command) + "' ;;\n";
+    text +=
+        "    " + command.name + ")\n      options='" + option_names(command) + "' words='" + words_of(command) + "'\n";
+    if (std::ranges::any_of(command.arguments, has_words)) {
+      text += "      case $before in\n";
+      for (const ArgumentText& option : command.arguments) {
+        if (has_words(option))
+          text += "        " + either_name(option) + ") values='" + joined(option.words) + "' ;;\n";
+      }
+      text += "      esac\n";
+    }
+    text += "      ;;\n";
   }
   return text +
          "  esac\n"
-         "  if [[ $word == -* ]]; then\n"
+         "  if [[ -n $values ]]; then\n"
+         "    mapfile -t COMPREPLY < <(compgen -W \"$values\" -- \"$word\")\n"
+         "    [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2> /dev/null\n"
+         "  elif [[ $word == -* ]]; then\n"
          "    mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\")\n"
          "  elif ((COMP_CWORD == 2)); then\n"
          "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
@@ -83,7 +119,9 @@ std::string zsh_argument(const ArgumentText& argument) {
   }
   if (argument.positional()) return std::string("'") + (argument.repeats ? "*" : "") + ":file:_files'";
   const std::string help = '[' + single_quoted(argument.description, true) + ']';
-  const std::string value = argument.sign.empty() ? "" : ':' + single_quoted(argument.sign, true) + ":_files";
+  const std::string action =
+      argument.words.empty() ? ":_files" : ":(" + single_quoted(joined(argument.words), true) + ")";
+  const std::string value = argument.sign.empty() ? "" : ':' + single_quoted(argument.sign, true) + action;
   std::string text;
   for (const std::string& name : argument.names) {
     if (!text.empty()) text += ' ';
@@ -132,7 +170,9 @@ std::string for_fish(const std::vector<ManualEntry>& commands) {
       for (const std::string& name : argument.names) {
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       }
-      text += (argument.sign.empty() ? "" : " -r") + (" -d '" + single_quoted(argument.description, false)) + "'\n";
+      text += argument.words.empty() ? "" : " -x -a '" + joined(argument.words) + "'";
+      text += (argument.sign.empty() || has_words(argument) ? "" : " -r") +
+              (" -d '" + single_quoted(argument.description, false)) + "'\n";
     }
   }
   return text + "complete -c tumble -n __fish_use_subcommand -f -a help -d 'explain a command, with examples'\n";
