@@ -27,8 +27,8 @@ std::string program_hash();
 std::string program_hash(const std::string& program);
 
 /// Of the files of an engine: of each word of its command that names one from the engine's folder, and of its program
-/// where PATH finds that. A command of a shell is split as words alone. "not known" where no word is a file. What such
-/// a file loads is not part of it.
+/// where PATH finds that, and of the integrator that it names. A command of a shell is split as words alone. "not
+/// known" where no word is a file. What such a file loads is not part of it.
 std::string engine_hash(const EngineProject& project);
 
 /// Of the paths and contents of all files below the suite's cases, and of the tumble.toml that builds its engine; of

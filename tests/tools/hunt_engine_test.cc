@@ -161,6 +161,13 @@ TEST(HuntEngine, FliesByItsIntegrator) {
   EXPECT_EQ(status(""), 1);
   EXPECT_EQ(status("integrator = \"explicit_euler\"\n"), 1);
   EXPECT_EQ(status("integrator = \"semi_implicit_euler\"\nsubsteps = 2\n"), 1);
+  const auto kept = [&shop](const std::string& keys) {  // a hunt goes on only with the engine as it was told
+    shop.write("tumble.toml", "[engine]\nshell = true\nrun = \"awk -f fall.awk {scene} >{log}\"\n" + keys);
+    return shop.run({"hunt", "--engine", "--count", "1", "--relation", "flight", "--unshrunk", "--folder", "kept"});
+  };
+  EXPECT_NE(kept("").exit, 2);
+  EXPECT_NE(kept("").exit, 2);
+  EXPECT_EQ(kept("integrator = \"explicit_euler\"\n").exit, 2);
   shop.write("tumble.toml", "[engine]\nrun = \"engine {scene} {log}\"\nintegrator = \"euler\"\n");
   const Outcome wrong = shop.run({"hunt", "--engine", "--count", "1"});
   EXPECT_EQ(wrong.exit, 2);
