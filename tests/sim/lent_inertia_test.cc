@@ -2,6 +2,7 @@
 // that a stack stands shows in no motion.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -165,6 +166,27 @@ TEST(LentInertia, ALightPlankIsKnockedOutFromUnderAHeavyCrate) {
   // Half of 20 m/s, less what friction takes from 2 kg in the 0.0375 s since: 0.01 · 9.81 m/s² · (100 + 101 + 1) kg.
   EXPECT_NEAR(world.state().bodies.velocity[0].x(), 10 - 9.9 * 0.0375, 0.05);
   EXPECT_NEAR(world.state().bodies.velocity[1].x(), 0.01 * kGravity * 0.0375, 0.001);
+}
+
+// Whenever in a step the heavy box meets it: the speed that a hit leaves the light box points into the ground on which
+// it stands, so the box bears what fell on it in the next step too.
+TEST(LentInertia, AHeavyBoxCrushesNoLightOneWhateverItsFall) {
+  for (const double heavy : {300.0, 1e4, 1e9}) {
+    for (int k = 0; k < 40; ++k) {
+      const double fall = 0.3 + 0.05 * k;
+      World world = made(
+          scene_of({crate(1, 1, {1, 1, 1}, {0, 0, 0.5}, 0), crate(2, heavy, {1, 1, 1}, {0, 0, 1.5 + fall}, 0)}, 1, 1));
+      double lowest = 0.5, nearest = 1;
+      for (int step = 0; step < 90; ++step) {
+        advance(world);
+        const auto& places = world.state().bodies.position;
+        lowest = std::min(lowest, places[0].z());
+        nearest = std::min(nearest, places[1].z() - places[0].z());
+      }
+      EXPECT_GT(lowest, 0.499) << heavy << " kg fall " << fall << " m";
+      EXPECT_GT(nearest, 0.999) << heavy << " kg fall " << fall << " m";
+    }
+  }
 }
 
 TEST(LentInertia, TowersStandWhenATonneDropsOnThem) {

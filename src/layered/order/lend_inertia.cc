@@ -51,10 +51,11 @@ bool within_octagon(std::span<const SupportPoint> points, double x, double y) {
 
 constexpr double kLittle = 1;  // m/s; a push on a body that is held gives it such a speed for a moment
 
-// A body that moves along its supports' normals, or tips, is not at rest on them.
-bool moves_little(const Bodies& bodies, BodyIndex i, const Vec3& along) {
+// A body that leaves its supports along their normals, or tips, is not at rest on them. One that a hit drives into them
+// stays on them, however fast.
+bool stays_on(const Bodies& bodies, BodyIndex i, const Vec3& along) {
   const Vec3 spin = bodies.spin[i], tipping = spin - along * dot(along, spin);
-  return std::fabs(dot(along, bodies.velocity[i])) <= kLittle &&
+  return dot(along, bodies.velocity[i]) <= kLittle &&
          dot(tipping, tipping) * dot(bodies.half_extent[i], bodies.half_extent[i]) <= kLittle * kLittle;
 }
 
@@ -96,7 +97,7 @@ void lend_inertia(const WorldState& state, Scratch& scratch, const Waves& waves)
     const Vec3 upward = upward_of(scratch)[i];
     if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) return;
     const Vec3 along = upward / length(upward);
-    if (!moves_little(bodies, i, along)) return;
+    if (!stays_on(bodies, i, along)) return;
     scratch.solver_mass[i] = own.offered[i];
     scratch.lent_along[i] = along;
   });
