@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "replay/arrays/known_arrays.h"
 #include "replay/arrays/pair_cell.h"
 #include "src/base/text.h"
 
@@ -47,6 +48,29 @@ std::vector<std::string> bodiless_ends(const Array& present) {
   };
   add(first, "start");
   add(present.shape[0] - end, "end");
+  return parts;
+}
+
+std::vector<std::string> odd_parts(const std::vector<Array>& arrays, const Array* present) {
+  std::vector<std::string> parts;
+  const auto look = [&](const ArrayNames& names) {
+    const Array* read = nullptr;
+    for (const std::string_view name : names) {
+      const Array* array = name.empty() ? nullptr : find_array(arrays, name);
+      if (array != nullptr && read != nullptr) {
+        parts.push_back("arrays " + read->name + " and " + array->name + " have one meaning: " + read->name +
+                        " is read, and " + array->name + " is kept as a channel; call it _" + array->name +
+                        " to pass over it");
+      }
+      if (read == nullptr) read = array;
+    }
+  };
+  for (const KnownArray& known : kMoving) look(known.names);
+  for (const KnownArray& known : kSteady) look(known.names);
+  for (const ArrayNames& names : {kStepNames, kTimeNames, kIdNames, kNameNames}) look(names);
+  if (present != nullptr) {
+    for (std::string& part : bodiless_ends(*present)) parts.push_back(std::move(part));
+  }
   return parts;
 }
 

@@ -30,6 +30,9 @@ std::string unit_behind(const std::vector<Array>& arrays, const Array& array);
 /// Steps at the start and at the end in which no body is present, and which a table has no rows for: for messages.
 std::vector<std::string> bodiless_ends(const Array& present);
 
+/// What bodiless_ends() says, and two arrays of one meaning, of which the first name that is known is read.
+std::vector<std::string> odd_parts(const std::vector<Array>& arrays, const Array* present);
+
 /// Stands in for a text that has no character and is there: no text of numpy's ends with a zero.
 inline const std::string kEmptyText(1, '\0');
 

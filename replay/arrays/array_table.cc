@@ -24,8 +24,8 @@ class ArrayTable {
     if (Status ok = find_sizes(); !ok.ok()) return ok.error();
     if (Status ok = add_clock(); !ok.ok()) return ok.error();
     if (Status ok = find_present(); !ok.ok()) return ok.error();
-    if (options_.warn && present_ != nullptr) {
-      for (const std::string& part : bodiless_ends(*present_)) options_.warn(name_ + ": " + part);
+    if (options_.warn) {
+      for (const std::string& part : odd_parts(arrays_, present_)) options_.warn(name_ + ": " + part);
     }
     add_ids();
     for (const KnownArray& known : kMoving) {
@@ -83,8 +83,8 @@ class ArrayTable {
   }
 
   Status add_clock() {
-    const Array* step = find({"step", "steps"});
-    const Array* time = find({"time", "times", "t"});
+    const Array* step = find(kStepNames);
+    const Array* time = find(kTimeNames);
     const Array* dt = find({"dt"});
     if (dt != nullptr && dt->shape.empty()) dt = nullptr;  // a line of the header
     for (const Array* array : {step, time, dt}) {
@@ -104,8 +104,8 @@ class ArrayTable {
 
   /// Ids; else names, also of the bodies of free joints; else 1, 2, ….
   void add_ids() {
-    const Array* id = find({"id", "ids"});
-    const Array* names = find({"name", "names", "body_names"});
+    const Array* id = find(kIdNames);
+    const Array* names = find(kNameNames);
     const std::vector<std::size_t> of_bodies = {bodies_};
     const bool has_id = id != nullptr && id->shape == of_bodies;
     const bool has_names = names != nullptr && names->shape == of_bodies;
@@ -240,12 +240,12 @@ class ArrayTable {
 
   /// Values of pairs, a row each, beside arrays of their steps and bodies.
   Status add_pairs(const Array& array) {
-    const Array* steps = find({"step", "steps"});
-    const Array* ids = find({"id", "ids"});
+    const Array* steps = find(kStepNames);
+    const Array* ids = find(kIdNames);
     const PairArrays pairs = {&array, find_exact("step." + array.name), find_exact("a." + array.name),
                               find_exact("b." + array.name), find_exact("texts." + array.name)};
-    Result<PairCells> cells = pair_cells(pairs, {steps, ids, present_, steps_, bodies_,
-                                                 find({"name", "names", "body_names"}) != nullptr || !free_.empty()});
+    Result<PairCells> cells =
+        pair_cells(pairs, {steps, ids, present_, steps_, bodies_, find(kNameNames) != nullptr || !free_.empty()});
     if (!cells.ok()) return wrong(cells.error().message);
     columns_.push_back(
         {array.name + unit_behind(arrays_, array), [all = *std::move(cells)](std::size_t k, std::size_t body) {

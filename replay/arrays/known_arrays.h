@@ -16,6 +16,8 @@ struct KnownArray {
 };
 
 inline constexpr ArrayNames kPositions = {"position", "positions", "pos", "xpos"};
+inline constexpr ArrayNames kStepNames = {"step", "steps"}, kTimeNames = {"time", "times", "t"};
+inline constexpr ArrayNames kIdNames = {"id", "ids"}, kNameNames = {"name", "names", "body_names"};
 inline constexpr std::array kMoving = {
     KnownArray{"position", kPositions, "xyz"},
     KnownArray{"orientation", {"orientation", "orientations", "quat", "xquat"}, "wxyz"},

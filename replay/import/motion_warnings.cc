@@ -70,7 +70,7 @@ std::string MotionCheck::wrong_order() const {
       scalar_last_asked_
           ? "; --scalar-last was given, and the numbers of the quaternion look like w x y z: leave it out"
           : "; are the numbers of the quaternion in the order x y z w? wanted w x y z (name the columns by what they "
-            "hold; arrays: --scalar-last)";
+            "hold; arrays: --scalar-last, or scalar_last = true in [engine.table] of a tumble.toml)";
   const bool fits = order_.mostly_fits(), other_fits = other_order_.mostly_fits();  // both for turns about y
   if (fits && !other_fits) return "";
   if (other_fits && !fits) {

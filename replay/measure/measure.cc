@@ -160,6 +160,7 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   stacking.frozen_fraction = end.frozen_fraction;
   stacking.rest_time = rest_since_;
   metrics_.channels = channels_.metrics();
+  metrics_.first_lost = meter_->first_lost();
   metrics_.not_finite = meter_->not_finite();
   metrics_.approximations = meter_->approximations();
   if (metrics_.not_finite.any) spoil(energy);

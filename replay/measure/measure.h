@@ -74,6 +74,7 @@ struct Metrics {
   Hash128 final_hash;                       ///< the state hash after the last step
   std::vector<std::string> approximations;  ///< for people: StateMeter::approximations()
   std::string told;                         ///< ToldWatch::note(), which measure_log() sets
+  std::optional<FirstLost> first_lost;      ///< of StackingMetrics::lost
   LostBodies not_finite;                    ///< bodies that were not finite in a measured state
 };
 

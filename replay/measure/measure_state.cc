@@ -157,10 +157,6 @@ double StateMeter::reasonable_way(const Body& body) const {
   return way;
 }
 
-void StateMeter::lose(Body& body) {
-  if (body.measured && !std::exchange(body.lost, true)) ++lost_;
-}
-
 // Bodies and rows both ascend by id, so one walk over the two lists matches them. Most steps neither add nor remove a
 // body; then the ids are those of the state before and the walk is saved.
 void StateMeter::find_rows(const BodyStates& now) {
@@ -173,7 +169,7 @@ void StateMeter::find_rows(const BodyStates& now) {
     if (row < now.size() && now.id[row] == bodies_[k].box.id) {
       body_of_row_[row] = k;
     } else if (!bodies_[k].removed) {
-      lose(bodies_[k]);  // it is gone, and no input removed it
+      lose(bodies_[k], std::nullopt);  // it is gone, and no input removed it
     }
   }
 }
@@ -193,11 +189,12 @@ void StateMeter::find_not_finite(const BodyStates& now, std::uint64_t step) {
     note(not_finite_.any, *found);
     if (body == nullptr || !(body->measured || body->box.is_static)) continue;
     note(not_finite_.chosen, *found);
-    lose(*body);
+    lose(*body, now.position[row]);
   }
 }
 
 StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step, double dt) {
+  step_ = step;
   find_rows(now);
   pass(now, dt);
   if (!all_finite(now)) find_not_finite(now, step);
@@ -252,7 +249,9 @@ void StateMeter::measure_motion(Body& body, const BodyStates& now, std::size_t r
 void StateMeter::measure_place(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) {
   const Vec3 centre = now.position[row];
   // Few bodies are ever outside, so what others may have done to the body is asked of those alone.
-  if (!body.lost && !space_.holds(centre, body.given_way) && !space_.holds(centre, reasonable_way(body))) lose(body);
+  if (!body.lost && !space_.holds(centre, body.given_way) && !space_.holds(centre, reasonable_way(body))) {
+    lose(body, centre);
+  }
   if (ground_) {
     const BoxFrame frame = frame_of(body.box, now, row);
     out.ground_penetration_max =

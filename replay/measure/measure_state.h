@@ -54,6 +54,14 @@ struct LostBodies {
   std::optional<NotFinite> any;     ///< of all bodies
 };
 
+/// The first chosen body that was lost, for whatever reason.
+struct FirstLost {
+  sim::BodyId body = 0;
+  std::uint64_t step = 0;  ///< whose state shows it
+  std::optional<sim::Vec3>
+      place;  ///< m, outside of where bodies belong, or not finite; none: no state has the body any more
+};
+
 /// Angular velocity in the body's own axes, rad/s.
 sim::Vec3 spin_in_body(const sim::Vec3& inertia, const BodyStates& s, std::size_t row);
 
@@ -97,6 +105,7 @@ class StateMeter {
 
   /// Chosen bodies that were lost in any state measured so far.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
+  [[nodiscard]] const std::optional<FirstLost>& first_lost() const { return first_lost_; }
 
   /// The bodies that were not finite in any state measured so far.
   [[nodiscard]] const LostBodies& not_finite() const { return not_finite_; }
@@ -154,7 +163,7 @@ class StateMeter {
   void find_not_finite(const BodyStates& now, std::uint64_t step);
   void measure_place(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
   void measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
-  void lose(Body& body);
+  void lose(Body& body, std::optional<sim::Vec3> place);
   void compare_with_start(const Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) const;
   void widen_grid_row(const Body& body, const sim::Vec3& position);
   [[nodiscard]] std::optional<double> column_spread() const;
@@ -170,7 +179,9 @@ class StateMeter {
   bool ground_;
   ReasonableSpace space_;
   std::vector<Body> bodies_;  // ascending id; every one is in each state until it is removed
+  std::uint64_t step_ = 0;    // of the state being measured
   std::uint64_t lost_ = 0;
+  std::optional<FirstLost> first_lost_;
   LostBodies not_finite_;
   std::vector<GridRow> grid_rows_;
   std::vector<std::size_t> body_of_row_;  // of the rows of row_ids_: index into bodies_, or kNone

@@ -1,6 +1,8 @@
 // What StateMeter says of all bodies together: overlaps, energies, the worst of any body.
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "replay/measure/measure_overlap.h"
@@ -21,6 +23,12 @@ double kinetic_of(const sim::BoxDef& box, const Vec3& inertia, const BodyStates&
 }
 
 }  // namespace
+
+void StateMeter::lose(Body& body, std::optional<Vec3> place) {
+  if (!body.measured || std::exchange(body.lost, true)) return;
+  ++lost_;
+  if (!first_lost_) first_lost_ = FirstLost{body.box.id, step_, place};
+}
 
 double StateMeter::overlap_max(const BodyStates& now) {
   if (not_finite_.any) return kNotANumber;

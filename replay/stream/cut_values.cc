@@ -38,7 +38,10 @@ std::vector<std::string> StreamBodies::notes() const {
       all.back() += ", and " + count_text(one.count - one.texts.size(), "more value") + " of this kind";
     }
   }
-  plausible_.add_to(all);
+  plausible_.add_to(all, [this](sim::BodyId id) {
+    const auto named = names_.find(id);
+    return named == names_.end() ? std::string() : named->second;
+  });
   return all;
 }
 

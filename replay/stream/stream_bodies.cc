@@ -78,8 +78,17 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.material.restitution = body.restitution;
   keep_within(box);
   edges_[body.id] = box.size.maxCoeff();
-  kept_name("body " + std::to_string(body.id) + ": the name", body.name);
+  call(body.id, kept_name("body " + std::to_string(body.id) + ": the name", body.name));
   return box;
+}
+
+void StreamBodies::call(std::uint64_t id, const std::string& name) {
+  if (name.empty()) return;
+  names_[id] = name;
+  const std::uint64_t first = named_.try_emplace(name, id).first->second;
+  if (first == id) return;
+  note("one name", "bodies " + std::to_string(first) + " and " + std::to_string(id) + " are both called " +
+                       in_quotes(name) + "; commands that look for one body want its number");
 }
 
 std::string StreamBodies::kept_name(const std::string& what, const std::string& name) {

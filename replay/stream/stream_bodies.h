@@ -103,10 +103,14 @@ class StreamBodies {
   void keep_motion_within(sim::BoxDef& box);
   void keep_rotation(sim::BoxDef& box);
   void note(const char* kind, std::string text);
+  /// Notes where another body has the name already.
+  void call(std::uint64_t id, const std::string& name);
 
   EngineAxes axes_;
   std::map<std::uint64_t, EngineState> last_;
   std::map<std::uint64_t, double> edges_;       // m, the longest of each body
+  std::map<std::uint64_t, std::string> names_;  // of bodies that have one
+  std::map<std::string, std::uint64_t> named_;  // the first body of each name
   std::map<std::uint64_t, StreamMesh> meshes_;  // by hash
   /// The first few notes of one kind, and the number of all.
   struct Notes {

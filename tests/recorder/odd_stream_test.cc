@@ -126,6 +126,28 @@ TEST(OddStream, NamesOfBodiesAndSnapshotsThatNoLogHoldsAreSaid) {
   EXPECT_FALSE(mentions(got->import.warnings, "body 7")) << "a name that a log holds";
 }
 
+TEST(OddStream, TwoBodiesOfOneNameAndLeapsOfABodyWithANameAreSaid) {
+  const auto named = [&](TumbleRec* rec) {
+    TumbleRecBody one = small_cube(5), other = small_cube(7);
+    one.name = other.name = "cup";
+    for (const TumbleRecBody* body : {&one, &other}) ASSERT_EQ(tumble_rec_body(rec, body), TUMBLE_REC_OK);
+    for (int k = 1; k < 20; ++k) {
+      tumble_rec_step_begin(rec, 0.0625);
+      for (const std::uint64_t id : {1U, 5U, 7U}) {
+        TumbleRecState state = state_at(id, 1);
+        if (id == 7 && k > 9) state.position[0] += 50;
+        tumble_rec_state(rec, id, &state);
+      }
+      ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+    }
+  };
+  const Result<Imported> got = import_bytes(record(1, 0, named));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_TRUE(
+      mentions(got->import.warnings, "bodies 5 and 7 are both called \"cup\"; commands that look for one body"));
+  EXPECT_TRUE(mentions(got->import.warnings, "body 7 (\"cup\") moves by 50 m in step 10"));
+}
+
 // An input called as the second of another input's name has its own channel.
 TEST(OddStream, InputsOfNamesThatMeetStayApart) {
   const auto named = [](TumbleRec* rec) {

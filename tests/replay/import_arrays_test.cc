@@ -223,6 +223,23 @@ TEST(ImportArrays, DamagedArchivesAreRefusedAndNothingWorse) {
   EXPECT_NE(read_npz("PK", "t.npz").error().message.find("t.npz: is no archive"), std::string::npos);
 }
 
+TEST(ImportArrays, OfTwoArraysOfOneMeaningTheOneThatIsReadIsSaid) {
+  std::vector<Array> arrays = robot_with_pairs();
+  std::vector<std::string> warnings;
+  ArrayOptions options;
+  options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+  ASSERT_TRUE(import(arrays, options).ok());
+  EXPECT_TRUE(warnings.empty());
+  Array more = of_name(arrays, "position");
+  more.name = "pos";
+  arrays.push_back(more);
+  ASSERT_TRUE(import(arrays, options).ok());
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "t.npz: arrays position and pos have one meaning: position is read, and pos is kept as a channel; "
+            "call it _pos to pass over it");
+}
+
 TEST(ImportArrays, TwoArraysOfOneNameAreAnError) {
   std::string twice = file_text("robot.npz");
   for (std::size_t at = 0; (at = twice.find("ctrl.npy")) != std::string::npos;) twice.replace(at, 4, "seed");

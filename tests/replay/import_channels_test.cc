@@ -92,6 +92,14 @@ TEST(ImportChannels, NumbersOfOtherKindsAreComparedByTheirValues) {
 }
 
 // A float64 would change the digits, and two numbers that differ would be the same.
+TEST(ImportChannels, AMinusZeroKeepsItsSign) {
+  const LogReader log = must_import(Robot{.control = "-0"}.table());
+  const std::vector<Channel>& channels = log.header().declared.channels;
+  const auto control = std::ranges::find(channels, "control", &Channel::name);
+  ASSERT_NE(control, channels.end());
+  EXPECT_EQ(control->type.kind, ChannelKind::kFloat64);
+}
+
 TEST(ImportChannels, WholeNumbersThatNoFloatHoldsAreRefused) {
   Robot robot;
   robot.seed = "18446744073709551617";

@@ -67,5 +67,33 @@ TEST(Import, KnowsALogAndTheBeginningOfAStream) {
   EXPECT_EQ(shop.run({"info", "x.tumble"}).exit, 2) << "no log must be there";
 }
 
+// As mail and version control do with what they take for text.
+TEST(Import, SaysThatAStreamWasCopiedAsText) {
+  const Workshop shop;
+  for (const char* start : {"\x89tumblestream\n\x1a", "\x89tumblestream\r\r\n\x1a", "\x09tumblestream\r\n\x1a",
+                            "\xc2\x89tumblestream\r\n\x1a", "\xef\xbf\xbdtumblestream\r\n\x1a"}) {
+    shop.write("a.tumblestream", start + std::string(40, 'x'));
+    const Outcome text = shop.run({"import", "a.tumblestream", "-o", "x.tumble"});
+    EXPECT_EQ(text.exit, 2);
+    EXPECT_NE(text.err.find("is a recorder's stream that was copied as text"), std::string::npos) << text.err;
+  }
+}
+
+TEST(Import, ReadsNamesOfChannelsThatDumpWrote) {
+  const Workshop shop;
+  shop.write("a.csv",
+             "# dt: 0.01\n# escapes: percent\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+             "orientation.y,orientation.z,channel.z%2c1,channel.q "
+             "(m%2cs)\n0,1,0,0,0,1,0,0,0,1.5,2\n1,1,0,0,0,1,0,0,0,1.5,2\n");
+  ASSERT_EQ(shop.run({"import", "a.csv"}).exit, 0);
+  const std::string table = shop.run({"dump", "a.tumble", "--steps", "0:1", "--csv"}).out;
+  EXPECT_NE(table.find("frozen,channel.q (m%2cs),channel.z%2c1\n"), std::string::npos) << table;
+  shop.write("b.csv", table);
+  ASSERT_EQ(shop.run({"import", "b.csv", "--like", "a.tumble"}).exit, 0);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble"}).exit, 0);
+  ASSERT_EQ(shop.run({"measure", "a.tumble", "--series", "s.csv"}).exit, 0);
+  EXPECT_NE(shop.read("s.csv").find(",\"channel.z,1.min\",\"channel.z,1.max\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -22,7 +22,7 @@ TEST(Program, MeasureKeepsItsContract) {
   const ordered_json json = parsed(shop.run({"measure", "s.tumble", "--json", "--series", "s.csv"}));
   using Keys = std::vector<std::string>;
   EXPECT_EQ(keys_of(json), (Keys{"schema", "log", "bodies", "steps", "symmetry", "energy", "stacking", "channels",
-                                 "partings", "final_hash", "axes", "not_finite", "notes"}));
+                                 "partings", "final_hash", "axes", "first_lost", "not_finite", "notes"}));
   std::map<std::string, Keys> wanted;
   for (const replay::MetricRow& metric : replay::metric_list()) wanted[metric.group].emplace_back(metric.name);
   for (const auto& [group, keys] : wanted) EXPECT_EQ(keys_of(json[group]), keys);
@@ -116,6 +116,26 @@ TEST(Program, ATwinIsRecordedAndMeasured) {
   for (const char* bad : {"--mirror=z", "--shift=0.1,0", "--shift=1"}) {
     EXPECT_EQ(shop.run({"record", "s.toml", bad}).exit, 2) << bad;
   }
+}
+
+TEST(Program, MeasureNamesTheFirstLostBody) {
+  const Workshop shop;
+  std::string table =
+      "# engine: e\n# dt: 0.01\n# up: y\n# length: cm\n"
+      "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z\n";
+  for (int k = 0; k < 12; ++k) {
+    const std::string row = std::to_string(k) + (k < 7 ? ",crate,50" : ",crate,5e8") + ",50,0,1,0,0,0\n";
+    table += row + std::to_string(k) + ",still,300,50,0,1,0,0,0\n";
+  }
+  shop.write("t.csv", table);
+  ASSERT_EQ(shop.run({"import", "t.csv"}).exit, 0);
+  const std::string text = shop.run({"measure", "t.tumble"}).out;
+  EXPECT_NE(text.find("body crate in step 7, at 5e+08 50 0 cm"), std::string::npos) << text;
+  const ordered_json json = parsed(shop.run({"measure", "t.tumble", "--json"}));
+  EXPECT_EQ(json["first_lost"]["step"], 7);
+  EXPECT_EQ(json["first_lost"]["position"], (ordered_json{5e8, 50.0, 0.0}));
+  shop.record_small("s");
+  EXPECT_TRUE(parsed(shop.run({"measure", "s.tumble", "--json"}))["first_lost"].is_null());
 }
 
 }  // namespace

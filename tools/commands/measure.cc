@@ -193,7 +193,7 @@ Result<Exit> measure(const MeasureCommand& options) {
     print_json("measure", json);
   } else {
     for (const std::string& note : notes) std::cout << "note: " << printable(note) << '\n';
-    print_metrics(options.log, axes, *metrics);
+    print_metrics(options.log, axes, log->bodies(), *metrics);
   }
   warn_of_lost_bodies(options, axes, *metrics);
   const Exit verdict = judge("measure", *log, judge_bounds(*bounds, axes, *metrics));

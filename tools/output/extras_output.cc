@@ -57,12 +57,6 @@ bool any_named(const replay::BodyTable& bodies) {
   return std::ranges::any_of(bodies.bodies(), [](const auto& entry) { return !entry.second.name.empty(); });
 }
 
-/// A name in the head of a table, which has no quotes.
-std::string head_text(std::string text) {
-  std::ranges::replace(text, ',', ';');
-  return printable(text);
-}
-
 /// Text in a cell of a table: as it is, or with escapes.
 std::string cell_text(const std::string& text, bool escapes) { return escapes ? replay::text_cell(text) : text; }
 
@@ -137,10 +131,10 @@ void add_step_extras(const replay::Declared& declared, const replay::EngineAxes&
 }
 
 std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part) {
-  std::string name = prefix + '.' + head_text(channel.name);
+  std::string name = prefix + '.' + channel.name;
   if (!part.empty()) name += '.' + part;
   const bool has_unit = !channel.unit.empty() && part != "changes";
-  return has_unit ? name + " (" + head_text(channel.unit) + ')' : name;
+  return has_unit ? name + " (" + channel.unit + ')' : name;
 }
 
 bool needs_escapes(const replay::Declared& declared, const replay::BodyTable& bodies) {
@@ -148,15 +142,20 @@ bool needs_escapes(const replay::Declared& declared, const replay::BodyTable& bo
     const std::string& name = body.second.name;
     return !name.empty() && replay::text_cell(name) != name;
   };
-  const auto is_text = [](const replay::Channel& channel) { return channel.type.kind == ChannelKind::kText; };
-  return std::ranges::any_of(bodies.bodies(), odd_name) || std::ranges::any_of(declared.channels, is_text);
+  const auto is_odd = [](const replay::Channel& channel) {
+    const std::string name = column_name("", channel);
+    return channel.type.kind == ChannelKind::kText || replay::text_cell(name) != name;
+  };
+  return std::ranges::any_of(bodies.bodies(), odd_name) || std::ranges::any_of(declared.channels, is_odd);
 }
 
 std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies) {
   std::vector<std::string> names;
+  const bool escapes = needs_escapes(declared, bodies);
   if (any_named(bodies)) names.emplace_back("name");
   for (const replay::Channel& channel : declared.channels) {
-    names.push_back(column_name(kPrefixes[static_cast<std::size_t>(channel.type.scope)], channel));
+    const std::string name = column_name(kPrefixes[static_cast<std::size_t>(channel.type.scope)], channel);
+    names.push_back(cell_text(name, escapes));
   }
   return names;
 }

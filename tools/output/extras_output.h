@@ -37,8 +37,8 @@ void add_step_extras(const replay::Declared& declared, const replay::EngineAxes&
 /// "channel.NAME", with a part "channel.NAME.max", with a unit "channel.NAME (rad)".
 std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part = "");
 
-/// Whether the cells hold texts that need the escapes of replay::text_cell(): then all texts have them, and the table
-/// begins with replay::kEscapesLine, by which `import` knows.
+/// Whether the cells or the names of columns hold texts that need the escapes of replay::text_cell(): then all texts
+/// have them, and the table begins with replay::kEscapesLine, by which `import` knows.
 bool needs_escapes(const replay::Declared& declared, const replay::BodyTable& bodies);
 
 /// The names of the columns that dump --csv has behind those of the states: "name" where the log names bodies,

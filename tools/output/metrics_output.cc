@@ -84,6 +84,14 @@ std::vector<std::string> parts_of(const replay::Channel& channel) {
   return {"min", "max", "mean"};
 }
 
+/// A name as spreadsheets read it: in quotes where it holds a comma, a quote or a line end (RFC 4180).
+std::string quoted_name(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+  std::string out = "\"";
+  for (const char c : name) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
 /// Their cells in one row, each behind a comma; empty where the state has no value.
 std::string channel_cells(const replay::Channel& channel, const replay::ChannelRow& row) {
   if (!is_number(channel.type.kind)) return ',' + std::to_string(row.changes);
@@ -94,6 +102,26 @@ std::string channel_cells(const replay::Channel& channel, const replay::ChannelR
     if (is_world) break;
   }
   return cells;
+}
+
+/// "body 7 (crate) in step 12, at 1e+06 0 3 m"
+std::string first_lost_text(const replay::FirstLost& lost, const replay::EngineAxes& axes,
+                            const replay::BodyTable& bodies) {
+  const std::string text = printable(bodies.text(lost.body)) + " in step " + std::to_string(lost.step);
+  if (!lost.place) return text + ", whose state has it no more although no input removed it";
+  const sim::Vec3 place = axes.their_length(*lost.place);
+  std::string at = ", at";
+  for (int k = 0; k < 3; ++k) at += ' ' + significant(place[k], 6);
+  return text + at + ' ' + axes.unit();
+}
+
+Json first_lost_json(const std::optional<replay::FirstLost>& lost, const replay::EngineAxes& axes) {
+  if (!lost) return nullptr;
+  Json json = {{"body", lost->body}, {"step", lost->step}, {"position", nullptr}};
+  if (!lost->place) return json;
+  const sim::Vec3 place = axes.their_length(*lost->place);
+  json["position"] = {number_json(place.x()), number_json(place.y()), number_json(place.z())};
+  return json;
 }
 
 }  // namespace
@@ -117,11 +145,13 @@ Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const 
   }
   json["final_hash"] = to_string(metrics.final_hash);
   json["axes"] = axes_json(axes);
+  json["first_lost"] = first_lost_json(metrics.first_lost, axes);
   json["not_finite"] = not_finite_json(metrics.not_finite.any, axes);
   return json;
 }
 
-void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics) {
+void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::BodyTable& bodies,
+                   const replay::Metrics& metrics) {
   Listing out;
   out.add("log", log);
   if (!axes.ours()) out.add("axes", to_string(axes));
@@ -146,6 +176,7 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
                            : "never, up to " + rounded(parting.time, "s") + step);
   }
   out.section("");
+  if (metrics.first_lost) out.add("first lost", first_lost_text(*metrics.first_lost, axes, bodies));
   if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any, axes));
   out.add("final hash", to_string(metrics.final_hash));
   out.print();
@@ -160,7 +191,7 @@ Status SeriesFile::open(const std::string& path, const std::vector<replay::Chann
       "step,time,kinetic,potential,inputs,removed,gain,lateral_max,lateral_rms,column_spread,drift_max,tilt_max,"
       "top_drop_max,lost,ground_penetration_max,frozen_fraction";
   for (const replay::Channel& channel : channels_) {
-    for (const std::string& part : parts_of(channel)) line += ',' + column_name("channel", channel, part);
+    for (const std::string& part : parts_of(channel)) line += ',' + quoted_name(column_name("channel", channel, part));
   }
   return file_->write(line + '\n');
 }

@@ -16,7 +16,8 @@ namespace tumble::tools {
 Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics);
 
 /// Prints the metrics for people, with units.
-void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics);
+void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::BodyTable& bodies,
+                   const replay::Metrics& metrics);
 
 /// `measure --series`: a CSV file with one row a step. Until close() the file that was there before stays.
 class SeriesFile {

@@ -23,6 +23,11 @@ bool is_whole(std::string_view cell) {
   return error == std::errc() && stop == cell.data() + cell.size() && !cell.empty();
 }
 
+/// "-0", which no whole number holds.
+bool is_minus_zero(std::string_view cell) {
+  return cell.size() > 1 && cell.front() == '-' && cell.find_first_not_of('0', 1) == std::string_view::npos;
+}
+
 /// "knee (rad)" is a channel knee in rad.
 void take_unit(std::string& name, std::string& unit) {
   const std::size_t at = name.rfind(" (");
@@ -107,6 +112,10 @@ void CsvChannels::look(const CsvReader& table) {
 
 void CsvChannels::look_at(std::string_view cell, Column& column) {
   if (cell.empty() || column.text) return;
+  if (is_minus_zero(cell)) {
+    column.real = true;
+    return;
+  }
   const bool fits_signed = is_whole<std::int64_t>(cell), fits = is_whole<std::uint64_t>(cell);
   column.negative = column.negative || (fits_signed && cell.front() == '-');
   column.large = column.large || (fits && !fits_signed);
