@@ -187,7 +187,7 @@ std::optional<EngineCase> read_engine(TableReader& top) {
   engine.files = read_files(reader, *table);
   engine.repeat = reader.integer("repeat", 1, kRepeatRule);
   if (engine.all_files().empty()) {
-    reader.fail("files", "the case's input files: scene, inputs or files, so that a change of them is seen");
+    reader.fail("files", R"(its input files: scene, inputs, or files = ["setup.txt"], a text of what is compiled in)");
   }
   reader.finish();
   return engine;
