@@ -104,7 +104,7 @@ struct FreezeScratch {
 
 /// Memory of wake_islands.
 struct WakeScratch {
-  std::vector<BodyIndex> disturbed;  ///< sleeping bodies whose islands a lively body is about to touch
+  std::vector<BodyIndex> disturbed;  ///< sleepers that a lively body is about to touch; then all that woke
   std::vector<std::uint8_t> wakes;   ///< by the body that stands for an island
 };
 
