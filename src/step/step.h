@@ -75,15 +75,7 @@ class PhaseHashes : public Observer {
  public:
   static constexpr std::uint32_t kRowsMax = 16;
   /// The version of the phase hashes' coverage and of StepCounters; raised when either changes while no state does,
-  /// since words of different versions cannot be compared. 1: left out some fields that a phase wrote; method layered
-  /// counted no contacts. 2: covers every field that a phase writes and the future depends on. 3: leaves out some
-  /// fields that a phase leaves unchanged or only copies, and hashes in the order of memory. 4: covers the corners of
-  /// contacts, and what friction at rest does besides impulses. 5: covers whether a contact of method layered has
-  /// slipped in its substep. 6: covers what `part_overlaps` takes from the motion of every body that it lifts,
-  /// and the direction of lent inertia. 7: `prepare_manifolds` of method layered covers no slip of the step before,
-  /// which a restored world does not know. 8: leaves out what a phase cannot change, of method layered masses and
-  /// inertias in all phases but the one that computes them, bodies without contact while contacts are solved, fields of
-  /// manifolds and points that come from an earlier phase, velocities of bodies that stay awake (`update_sleeping`).
+  /// since words of different versions cannot be compared. docs/log_format.md says what each version covers.
   static constexpr std::uint32_t kVersion = 9;
 
   Hasher* phase_begins() override;

@@ -50,6 +50,32 @@ TEST(Documents, EveryPhaseHasItsFileAndItsHeading) {
   }
 }
 
+// The first group of a pattern in a file; empty where it is not found.
+std::string number_in(const std::string& path, const std::string& pattern) {
+  const SourceFile* file = find(path);
+  const std::string text = file == nullptr ? "" : file->text();
+  std::smatch match;
+  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
+}
+
+TEST(Documents, VersionsAreThoseOfTheCode) {
+  const std::string thesis = number_in("src/world/world_state.cc", "case Method::kThesis:\\s+return (\\d+);");
+  const std::string layered = number_in("src/world/world_state.cc", "case Method::kLayered:\\s+return (\\d+);");
+  const std::string hashes = number_in("src/step/step.h", "kVersion = (\\d+);");
+  const std::string major = number_in("replay/format/prelude.h", "kFormatMajor = (\\d+);");
+  const std::string minor = number_in("replay/format/prelude.h", "kFormatMinor = (\\d+);");
+  for (const std::string& number : {thesis, layered, hashes, major, minor}) ASSERT_NE(number, "") << "not in the code";
+  const auto expect = [](const std::string& path, const std::string& words) {
+    ASSERT_NE(find(path), nullptr) << path << " is missing";
+    EXPECT_NE(find(path)->text().find(words), std::string::npos) << path << " does not say " << words;
+  };
+  expect("docs/versions.md", "| method `thesis`, `layered` | " + thesis + ", " + layered + " |");
+  expect("docs/versions.md", "| phase hashes | " + hashes + " |");
+  expect("docs/versions.md", "| log format | " + major + "." + minor + ";");
+  expect("docs/log_format.md", "this build writes " + hashes + ", `sim::PhaseHashes::kVersion`");
+  expect("docs/log_format.md", "\n| " + hashes + " | ");
+}
+
 TEST(Documents, RelativeLinksLeadSomewhere) {
   const std::regex link("\\]\\(([^)#: ]+)(#[^)]*)?\\)");
   for (const SourceFile& file : source_tree()) {
