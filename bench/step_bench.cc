@@ -60,9 +60,9 @@ const sim::World& warm_world(sim::Method method, int rows, int columns) {
   if (const auto known = worlds.find(key); known != worlds.end()) return known->second;
   std::ifstream file(TUMBLE_SOURCE_DIR "/bench/scenes/tilted_grid.toml", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const std::string changes[] = {std::string("world.method=") + (method == sim::Method::kThesis ? "thesis" : "layered"),
-                                 "world.dt=0.03333333333333333", "world.substeps=4",
-                                 "grid.rows=" + std::to_string(rows), "grid.cols=" + std::to_string(columns)};
+  const std::string changes[] = {std::string("world.method=") + name_of(method), "world.dt=0.03333333333333333",
+                                 "world.substeps=4", "grid.rows=" + std::to_string(rows),
+                                 "grid.cols=" + std::to_string(columns)};
   const auto fail = [](const Error& error) {
     std::fprintf(stderr, "step_bench: %s\n", error.message.c_str());
     std::exit(2);

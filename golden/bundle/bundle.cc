@@ -20,12 +20,6 @@ std::vector<std::string> names_of(const std::vector<CaseFolder>& folders) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 /// Of the engine of the suite's tumble.toml, where one of these cases runs it.
 std::string hash_of_engine(const Suite& suite, const std::vector<CaseFolder>& cases) {
   const bool runs = std::ranges::any_of(cases, [](const CaseFolder& one) { return engine_case(one).has_value(); });
@@ -48,7 +42,7 @@ RunFacts facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all, co
   if (require) {
     for (const VerdictKind kind : *require) verdicts.emplace_back(kVerdictNames[static_cast<std::size_t>(kind)]);
   }
-  facts.options = {{"require", joined(verdicts)}, {"timeout", exact(timeout_s)}};
+  facts.options = {{"require", joined(verdicts, " ")}, {"timeout", exact(timeout_s)}};
   return facts;
 }
 

@@ -248,8 +248,7 @@ auto by_method(bool (*holds)(sim::Method method)) {
   return [holds]() -> CanaryResult {
     for (const sim::Method method : {sim::Method::kThesis, sim::Method::kLayered}) {
       if (holds(method)) continue;
-      const std::string with = method == sim::Method::kThesis ? "thesis" : "layered";
-      return {"", false, "not so in a session of method " + with, "format"};
+      return {"", false, std::string("not so in a session of method ") + name_of(method), "format"};
     }
     return {"", true, "seen", "format"};
   };

@@ -15,13 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kOutputShown = 500;  // bytes
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
-    text.replace(at, what.size(), with);
-  }
-  return text;
-}
-
 /// One pass, so that a path with a placeholder's name in it stays as it is.
 template <class Quote>
 std::string filled(const std::string& text, const RunFiles& files, const Quote& quote) {

@@ -49,18 +49,6 @@ std::string first_line(double dt, std::uint64_t steps) {
   return line.dump() + '\n';
 }
 
-/// Two digits a byte.
-std::string hex_of(std::string_view bytes) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string text;
-  text.reserve(2 * bytes.size());
-  for (const char c : bytes) {
-    const unsigned byte = static_cast<unsigned char>(c);
-    (text += kHex[byte / 16]) += kHex[byte % 16];
-  }
-  return text;
-}
-
 /// The name that the engine gave an input, whose channel is "input.NAME", "input.NAME of a body" or one of these with
 /// "#2" behind it; empty for a channel of something else.
 std::string input_of(const replay::Channel& channel) {
@@ -105,7 +93,7 @@ std::string named_inputs(std::uint64_t step, const std::vector<replay::Channel>&
   for (const Input& input : inputs) {
     Json line = {{"step", step}, {"kind", "input"}, {"name", input.name}};
     if (input.body != 0) line["id"] = input.body;
-    line["hex"] = hex_of(input.bytes);
+    line["hex"] = hex_digits(input.bytes);
     text += line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
   }
   return text;

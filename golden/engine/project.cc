@@ -72,7 +72,7 @@ void read_claims(TableReader& engine, EngineProject& project) {
   TableReader reader(*table, "[engine.claims]", engine.problem());
   for (const auto& [key, value] : *table) {
     const auto claim = claims.emplace(key.str(), false).first;  // the reader keeps a view of the key
-    claim->second = reader.flag(claim->first, false);
+    claim->second = reader.required_flag(claim->first);
     const toml::source_position at = key.source().begin;
     project.claim_places[claim->first] = std::to_string(at.line) + ":" + std::to_string(at.column);
   }

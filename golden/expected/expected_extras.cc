@@ -52,10 +52,6 @@ std::string kind_text(const replay::ChannelType& type) {
   return std::string(name_of(type.kind)) + " of scope " + name_of(type.scope);
 }
 
-bool comparable(const replay::ChannelType& a, const replay::ChannelType& b) {
-  return a.scope == b.scope && (a.kind == b.kind || (is_number(a.kind) && is_number(b.kind)));
-}
-
 }  // namespace
 
 std::uint32_t hash_of_values(const replay::ChannelValues& values, replay::ChannelKind kind) {

@@ -66,12 +66,6 @@ std::string fault_of_counts(const HuntState& state) {
   return "";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 }  // namespace
 
 void Tally::add(const Tally& other) {
@@ -185,7 +179,7 @@ Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::stri
   if (Status ok = differs("grammar", std::to_string(kept.grammar), std::to_string(wanted.grammar)); !ok.ok()) return ok;
   if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
   if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
-  if (Status ok = differs("--within", joined(kept.within), joined(wanted.within)); !ok.ok()) return ok;
+  if (Status ok = differs("--within", joined(kept.within, " "), joined(wanted.within, " ")); !ok.ok()) return ok;
   if (Status ok = differs("engine", kept.engine, wanted.engine); !ok.ok()) return ok;
   if (Status ok = differs(kept.against.empty() ? "build of the engine (its files' hash)"
                                                : "build of the other program (its files' hash)",
@@ -195,7 +189,7 @@ Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::stri
   std::vector<std::string> found, want;
   for (const auto& row : kept.relations) found.push_back(row.first);
   for (const auto& row : wanted.relations) want.push_back(row.first);
-  return differs("set of relations", joined(found), joined(want));
+  return differs("set of relations", joined(found, " "), joined(want, " "));
 }
 
 Result<HuntState> Folder::load() const {

@@ -10,6 +10,7 @@
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
 #include "src/base/check.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -21,13 +22,6 @@ constexpr const char* kLogMark = "\x01";  // stands for the log in a line, where
 std::string full_path(const fs::path& path) {
   std::error_code error;
   return fs::absolute(path, error).lexically_normal().string();
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
-    text.replace(at, what.size(), with);
-  }
-  return text;
 }
 
 /// A path from the engine's folder, where that is shorter.

@@ -36,9 +36,8 @@ constexpr scenes::IntegerRule kRepeatRule = {"a number of runs", 1, 100};
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 std::optional<double> optional_number(TableReader& reader, std::string_view key) {
-  const bool has = reader.has(key);
-  const double value = reader.number(key, 0, kAnyNumber);
-  return has ? std::optional<double>(value) : std::nullopt;
+  if (!reader.has(key)) return std::nullopt;
+  return reader.required_number(key, kAnyNumber);
 }
 
 /// A text, or a list of ids, which becomes one.

@@ -11,11 +11,11 @@ std::vector<std::string> read_laws(scenes::TableReader& top) {
   scenes::TableReader reader(*table, "[laws]", top.problem());
   for (const hunt::Relation& one : hunt::relations()) {
     if (!reader.has(one.name)) continue;
-    if (!reader.flag(one.name, true)) reader.fail(one.name, "true; leave out a law that the case need not hold");
+    if (!reader.required_flag(one.name)) reader.fail(one.name, "true; leave out a law that the case need not hold");
     laws.emplace_back(one.name);
   }
   if (reader.has(kSurvivesLaw)) {
-    if (!reader.flag(kSurvivesLaw, true)) reader.fail(kSurvivesLaw, "true; leave it out");
+    if (!reader.required_flag(kSurvivesLaw)) reader.fail(kSurvivesLaw, "true; leave it out");
     laws.emplace_back(kSurvivesLaw);
   }
   for (const auto& [key, _] : *table) {

@@ -10,7 +10,7 @@ namespace {
 
 py::dict world_of(const sim::WorldDef& world) {
   py::dict fields;
-  fields["method"] = replay::name_of(world.method);
+  fields["method"] = name_of(world.method);
   fields["dt"] = world.dt;
   fields["substeps"] = world.substeps;
   fields["split_collisions"] = world.split_collisions;

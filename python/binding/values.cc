@@ -19,17 +19,14 @@ namespace {
 namespace field = sim::field;
 namespace role = sim::role;
 
-constexpr std::array kTextures = {"crate", "brick", "wood", "concrete", "white"};
-constexpr std::array kOrigins = {"box", "grid", "tower", "pyramid", "wall", "pile", "input"};
-
 py::object to_object(sim::BodyId value) { return py::int_(value); }
 py::object to_object(double value) { return py::float_(value); }
 py::object to_object(bool value) { return py::bool_(value); }
 py::object to_object(const sim::Vec3& value) { return tuple_of(value); }
 py::object to_object(const sim::Quat& value) { return tuple_of(value); }
-py::object to_object(sim::Texture value) { return py::str(kTextures.at(static_cast<std::size_t>(value))); }
+py::object to_object(sim::Texture value) { return py::str(name_of(value)); }
 py::object to_object(const sim::Origin& value) {
-  return py::make_tuple(kOrigins.at(static_cast<std::size_t>(value.kind)), value.table, value.row, value.column);
+  return py::make_tuple(name_of(value.kind), value.table, value.row, value.column);
 }
 
 void from_object(const py::handle& object, const char* name, sim::BodyId& value) { value = whole_of(object, name); }
@@ -39,12 +36,13 @@ void from_object(const py::handle& object, const char* name, sim::Vec3& value) {
 void from_object(const py::handle& object, const char* name, sim::Quat& value) { value = quat_of(object, name); }
 void from_object(const py::handle& object, const char* name, sim::Texture& value) {
   const std::string word = text_of(object, name);
-  const auto* const found = std::ranges::find(kTextures, std::string_view(word));
-  if (found == kTextures.end()) {
-    raise(bad_input(std::string(name) + ": " +
-                    found_wanted(in_quotes(word), list_text({kTextures.begin(), kTextures.end()}))));
+  constexpr const auto& kNames = sim::kTextureNames;
+  const auto* const found = std::ranges::find(kNames, std::string_view(word));
+  if (found == kNames.end()) {
+    raise(
+        bad_input(std::string(name) + ": " + found_wanted(in_quotes(word), list_text({kNames.begin(), kNames.end()}))));
   }
-  value = static_cast<sim::Texture>(found - kTextures.begin());
+  value = static_cast<sim::Texture>(found - kNames.begin());
 }
 void from_object(const py::handle& /*object*/, const char* /*name*/, sim::Origin& /*value*/) {}  // the origin is ours
 

@@ -1,7 +1,6 @@
 #include "replay/blame/origin.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <string_view>
@@ -83,8 +82,6 @@ std::optional<std::size_t> input_line(const LogHeader& header, std::size_t index
   return tables[index].second;
 }
 
-constexpr std::array<const char*, 7> kTables = {"box", "grid", "tower", "pyramid", "wall", "pile", "input"};
-
 }  // namespace
 
 const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyId body, bool frozen) {
@@ -138,7 +135,7 @@ std::string body_place(const LogHeader& header, sim::BodyId body) {
   const auto at = std::ranges::lower_bound(header.scene.boxes, body, {}, &sim::BoxDef::id);
   if (at == header.scene.boxes.end() || at->id != body) return "";
   const sim::Origin& origin = at->origin;
-  const char* table = kTables[static_cast<std::size_t>(origin.kind)];
+  const char* table = name_of(origin.kind);
   const std::vector<std::size_t> lines = table_lines(header.scene_text, table);
   std::string text = origin.table < lines.size()
                          ? line_text(lines[origin.table], table)

@@ -18,12 +18,8 @@ namespace {
 using ExtrasOfSteps = std::span<const Extras* const>;
 using ChannelIndex = std::pair<std::size_t, ChannelType>;
 
-constexpr std::size_t kContactColumns = 8;
+constexpr std::size_t kContactColumns = kContactNumbers.size();
 constexpr unsigned kCameraNumbers = 9;
-
-std::array<double, kContactColumns> numbers_of(const EngineContact& c) {
-  return {c.position.x(), c.position.y(), c.position.z(), c.normal.x(), c.normal.y(), c.normal.z(), c.depth, c.impulse};
-}
 
 void encode_channels(ExtrasOfSteps steps, const ChannelTypes& types, schema::Extras::Builder out) {
   std::vector<std::size_t> used;

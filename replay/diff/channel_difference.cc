@@ -1,7 +1,6 @@
 #include "replay/diff/channel_difference.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -77,20 +76,13 @@ std::optional<Divergence> difference_in(const ComparedChannel& both, const Toler
   return std::nullopt;
 }
 
-constexpr std::array<const char*, 8> kContactNames = {"position.x", "position.y", "position.z", "normal.x",
-                                                      "normal.y",   "normal.z",   "depth",      "impulse"};
-
-std::array<double, kContactNames.size()> contact_numbers(const EngineContact& c) {
-  return {c.position.x(), c.position.y(), c.position.z(), c.normal.x(), c.normal.y(), c.normal.z(), c.depth, c.impulse};
-}
-
 std::optional<Divergence> contact_difference(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     if (a[i].a != b[i].a || a[i].b != b[i].b) break;
-    const auto in_a = contact_numbers(a[i]), in_b = contact_numbers(b[i]);
+    const auto in_a = numbers_of(a[i]), in_b = numbers_of(b[i]);
     for (std::size_t c = 0; c < in_a.size(); ++c) {
       if (bits_of(in_a[c]) == bits_of(in_b[c])) continue;
-      Divergence found = make_divergence(0, "contacts", std::string("contact.") + kContactNames[c], in_a[c], in_b[c]);
+      Divergence found = make_divergence(0, "contacts", std::string("contact.") + kContactNumbers[c], in_a[c], in_b[c]);
       found.pair = {a[i].a, a[i].b};
       return found;
     }
@@ -110,10 +102,6 @@ void for_each_compared(const ChannelMatch& match, const StepRecord& expected, co
   for (const SharedChannel& channel : match.compared) {
     visit(ComparedChannel{channel, expected.extras.values(channel.in_a), actual.extras.values(channel.in_b)});
   }
-}
-
-bool comparable(const ChannelType& a, const ChannelType& b) {
-  return a.scope == b.scope && (a.kind == b.kind || (is_number(a.kind) && is_number(b.kind)));
 }
 
 /// What equal values of a channel leave open: whether their kinds and units mean the same.

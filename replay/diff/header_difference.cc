@@ -23,13 +23,13 @@ bool makes_the_same(const FieldValue& a, const FieldValue& b) {
   return same_bits(a, b) || (in_a != nullptr && in_b != nullptr && *in_a == *in_b);
 }
 
-std::string vector_text(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+/// "gravity, dt"; "none" where there is no word.
+std::string listed(const std::vector<std::string>& words) {
+  const std::string text = joined(words, ", ");
   return text.empty() ? "none" : text;
 }
+
+std::string vector_text(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
 
 std::string ids_text(const std::vector<sim::BodyId>& ids) {
   std::string text;
@@ -256,17 +256,17 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
   found.add("method version", std::uint64_t{a.method_version}, std::uint64_t{b.method_version}, one_engine);
   found.look("scene", a.scene.name, b.scene.name);
   found.look("transform", to_string(a.transform), to_string(b.transform));
-  found.look("set", joined(a.overrides), joined(b.overrides));
+  found.look("set", listed(a.overrides), listed(b.overrides));
   found.look("begins with", start_of(a), start_of(b));
   found.add("planned steps", a.scene.steps, b.scene.steps, false);
   found.look("states", to_string(a.states), to_string(b.states));
   found.look("hashes", to_string(a.hashes), to_string(b.hashes));
   found.look("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
   found.look("axes", to_string(a.axes()), to_string(b.axes()));
-  found.look("columns passed over", joined(passed_over(a)), joined(passed_over(b)));
+  found.look("columns passed over", listed(passed_over(a)), listed(passed_over(b)));
   found.look("numbers", a.float_format, b.float_format);
   if (a.phases != b.phases) {
-    found.look("phases", joined(a.phases), joined(b.phases));
+    found.look("phases", listed(a.phases), listed(b.phases));
   } else {
     found.add("phase hashes", std::uint64_t{a.phase_hash_version}, std::uint64_t{b.phase_hash_version}, false);
   }

@@ -28,14 +28,8 @@ std::string float_text(float value) {
 }
 
 std::string hex_text(const std::string& bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
   std::string text = count_text(bytes.size(), "byte");
-  if (!bytes.empty()) text += ' ';
-  for (std::size_t i = 0; i < std::min(bytes.size(), kBytesShown); ++i) {
-    const auto byte = static_cast<unsigned char>(bytes[i]);
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
-  }
+  if (!bytes.empty()) text += ' ' + hex_digits(std::string_view(bytes).substr(0, kBytesShown));
   return bytes.size() > kBytesShown ? text + "…" : text;
 }
 

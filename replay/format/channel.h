@@ -51,6 +51,11 @@ const char* name_of(ChannelScope scope);
 /// Whether values are numbers, which can have tolerances, ULPs and bounds.
 inline bool is_number(ChannelKind kind) { return kind < ChannelKind::kBytes; }
 
+/// Whether values of two channels can be compared: one scope, and one kind or numbers of both.
+inline bool comparable(const ChannelType& a, const ChannelType& b) {
+  return a.scope == b.scope && (a.kind == b.kind || (is_number(a.kind) && is_number(b.kind)));
+}
+
 /// Errors (kBadInput): too many channels, a name or a unit that no log can keep, two channels of one name.
 Status check_channels(const std::vector<Channel>& channels);
 

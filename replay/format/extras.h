@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ struct EngineContact {
   double impulse = 0;              ///< N s along the normal, in this step
   friend bool operator==(const EngineContact&, const EngineContact&) = default;
 };
+
+/// The numbers of a contact in the order in which logs keep them.
+inline constexpr std::array<const char*, 8> kContactNumbers = {"position.x", "position.y", "position.z", "normal.x",
+                                                               "normal.y",   "normal.z",   "depth",      "impulse"};
+inline std::array<double, kContactNumbers.size()> numbers_of(const EngineContact& c) {
+  return {c.position.x(), c.position.y(), c.position.z(), c.normal.x(), c.normal.y(), c.normal.z(), c.depth, c.impulse};
+}
 
 /// The engine's own state after a step, in its own bytes.
 struct EngineSnapshot {

@@ -92,16 +92,6 @@ std::string phase_hash_note(const LogHeader& a, const LogHeader& b) {
          ", which cover different fields; phase words and contact counts were not compared, all else was";
 }
 
-const char* name_of(sim::Method method) {
-  switch (method) {
-    case sim::Method::kThesis:
-      return "thesis";
-    case sim::Method::kLayered:
-      return "layered";
-  }
-  return "unknown";
-}
-
 std::string to_string(const EngineName& engine) {
   return engine.name + (engine.version.empty() ? "" : " " + engine.version);
 }

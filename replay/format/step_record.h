@@ -160,7 +160,4 @@ void leave_out_phase_words(const LogHeader& a, const LogHeader& b, const StepRec
 /// version of phase hashes.
 std::string phase_hash_note(const LogHeader& a, const LogHeader& b);
 
-/// The word of the scene format for a method.
-const char* name_of(sim::Method method);
-
 }  // namespace tumble::replay

@@ -1,16 +1,12 @@
 #include "replay/measure/measure_options.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <string_view>
 
 namespace tumble::replay {
 namespace {
-
-// In the order of sim::Origin::Kind.
-constexpr std::array<std::string_view, 7> kTables = {"box", "grid", "tower", "pyramid", "wall", "pile", "input"};
 
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
@@ -30,9 +26,9 @@ std::optional<BodyChoice::Ids> parse_ids(std::string_view word) {
 
 std::optional<BodyChoice::Table> parse_table(std::string_view word) {
   const std::size_t colon = word.find(':');
-  const auto* const name = std::ranges::find(kTables, word.substr(0, colon));
-  if (name == kTables.end()) return std::nullopt;
-  BodyChoice::Table table{static_cast<sim::Origin::Kind>(name - kTables.begin()), std::nullopt};
+  const auto* const name = std::ranges::find(sim::kOriginNames, word.substr(0, colon));
+  if (name == sim::kOriginNames.end()) return std::nullopt;
+  BodyChoice::Table table{static_cast<sim::Origin::Kind>(name - sim::kOriginNames.begin()), std::nullopt};
   if (colon == std::string_view::npos) return table;
   table.index = parse_number<std::uint32_t>(word.substr(colon + 1));
   return table.index ? std::optional(table) : std::nullopt;
@@ -142,8 +138,7 @@ std::string to_string(const BodyChoice& choice) {
     add(std::to_string(range.first) + (range.first == range.last ? "" : "-" + std::to_string(range.last)));
   }
   for (const BodyChoice::Table& table : choice.tables) {
-    add(std::string(kTables[static_cast<std::size_t>(table.kind)]) +
-        (table.index ? ":" + std::to_string(*table.index) : ""));
+    add(std::string(name_of(table.kind)) + (table.index ? ":" + std::to_string(*table.index) : ""));
   }
   return text;
 }

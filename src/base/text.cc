@@ -85,6 +85,17 @@ std::string rounded(double value, std::string_view unit) {
   return unit.empty() ? significant(value, 4) : fmt::format("{} {}", significant(value, 4), unit);
 }
 
+std::string hex_digits(std::string_view bytes) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    (text += kDigits[byte >> 4U]) += kDigits[byte & 15U];
+  }
+  return text;
+}
+
 std::string bytes_text(std::uint64_t bytes) {
   if (bytes < 10'000) return count_text(bytes, "byte");
   double value = static_cast<double>(bytes) / 1000;
@@ -145,6 +156,22 @@ std::string list_text(const std::vector<std::string_view>& words) {
     out += words[i];
   }
   return out;
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+  std::string out;
+  for (const std::string& word : words) {
+    if (!out.empty()) out += between;
+    out += word;
+  }
+  return out;
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
 }
 
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates) {

@@ -33,6 +33,9 @@ std::string significant(double value, int digits);
 /// Four significant digits with the unit: "1.234e-07 m", "45.3 J".
 std::string rounded(double value, std::string_view unit);
 
+/// Two lower-case hexadecimal digits for each byte.
+std::string hex_digits(std::string_view bytes);
+
 std::string bytes_text(std::uint64_t bytes);               ///< "812 bytes", "4.2 MB"
 std::string count_text(std::uint64_t n, const char* one);  ///< "1 body", "222 bodies", "12 steps"
 std::string seconds_text(double seconds);                  ///< "5.00 s", "12.0 ms", "30.0 µs"
@@ -52,6 +55,12 @@ std::string in_quotes(std::string_view text);
 
 /// "a, b or c".
 std::string list_text(const std::vector<std::string_view>& words);
+
+/// The words with `between` between them: joined({"a", "b"}, ", ") is "a, b".
+std::string joined(const std::vector<std::string>& words, std::string_view between);
+
+/// The text with `with` in every place of `what`, which is not empty.
+std::string replaced(std::string text, std::string_view what, std::string_view with);
 
 /// The candidate that `word` is most likely a slip for; empty if none is near.
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -17,8 +18,16 @@ namespace tumble::sim {
 /// The method of a step. `kThesis`: chapter III of the thesis. `kLayered`: the solver for standing stacks.
 enum class Method : std::uint8_t { kThesis = 0, kLayered = 1 };
 
+/// The scene format's words for the methods, in the order of Method.
+inline constexpr std::array<const char*, 2> kMethodNames = {"thesis", "layered"};
+inline const char* name_of(Method method) { return kMethodNames[static_cast<std::size_t>(method)]; }
+
 /// The picture of a surface; the simulation never reads a texture.
 enum class Texture : std::uint8_t { kCrate = 0, kBrick = 1, kWood = 2, kConcrete = 3, kWhite = 4 };
+
+/// The scene format's words for the textures, in the order of Texture.
+inline constexpr std::array<const char*, 5> kTextureNames = {"crate", "brick", "wood", "concrete", "white"};
+inline const char* name_of(Texture texture) { return kTextureNames[static_cast<std::size_t>(texture)]; }
 
 struct Material {
   double friction = 0.4;          ///< static coefficient; a pair uses the geometric mean
@@ -37,6 +46,10 @@ struct Origin {
   std::uint32_t column = 0;
   friend bool operator==(const Origin&, const Origin&) = default;
 };
+
+/// The scene format's words for the tables that make bodies, in the order of Origin::Kind.
+inline constexpr std::array<const char*, 7> kOriginNames = {"box", "grid", "tower", "pyramid", "wall", "pile", "input"};
+inline const char* name_of(Origin::Kind kind) { return kOriginNames[static_cast<std::size_t>(kind)]; }
 
 struct BoxDef {
   BodyId id = 0;
@@ -119,7 +132,7 @@ struct WorldDef {
   Method method = Method::kLayered;
   double dt = 1.0 / 60;                ///< s
   std::uint32_t substeps = 8;          ///< thesis: a step may be halved to depth floor(log2(substeps))
-  std::uint32_t split_collisions = 1;  ///< thesis: a sub-step that meets more collisions is halved
+  std::uint32_t split_collisions = 1;  ///< thesis: a substep that meets more collisions is halved
   Vec3 gravity = {0, 0, -9.81};        ///< m/s²
   bool ground = true;                  ///< the half-space z <= 0
   bool freezing = true;

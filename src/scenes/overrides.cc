@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/scenes/parse_toml.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::scenes {
 namespace {
@@ -115,8 +116,7 @@ Result<Walk> descend(Walk walk, const std::vector<std::string_view>& parts, cons
 
 // The kinds of tables that come as arrays: a key in one that the scene does not have makes no sense.
 bool is_array_name(std::string_view name) {
-  constexpr std::string_view kNames[] = {"box", "grid", "tower", "pyramid", "wall", "pile", "input"};
-  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+  return std::find(sim::kOriginNames.begin(), sim::kOriginNames.end(), name) != sim::kOriginNames.end();
 }
 
 }  // namespace

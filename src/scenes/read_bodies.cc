@@ -8,7 +8,6 @@
 namespace tumble::scenes {
 namespace {
 
-constexpr std::array<const char*, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
 constexpr double kDirectionLengthMin = 1e-6;  // shorter axes and quaternions have no reliable direction
 
 double read_mass(TableReader& reader, const sim::Vec3& size) {
@@ -18,7 +17,7 @@ double read_mass(TableReader& reader, const sim::Vec3& size) {
   }
   if (!reader.has("density")) return reader.number("mass", 1, kMassRule);
   const double volume = (size.x() * size.y()) * size.z();
-  const double mass = reader.number("density", 1000, kDensityRule) * volume;
+  const double mass = reader.required_number("density", kDensityRule) * volume;
   if (kMassRule.holds(mass)) return mass;
   reader.fail("density", kMassRule.text() + " (density times volume gives " + number_text(mass) + " kg)");
   return 1;
@@ -29,8 +28,8 @@ sim::Quat read_axis_and_degrees(TableReader& reader) {
     reader.fail(reader.has("axis") ? "degrees" : "axis", "both axis and degrees");
     return {};
   }
-  const sim::Vec3 axis = reader.vector("axis", {0, 0, 1}, kAxisRule);
-  const double degrees = reader.number("degrees", 0, kDegreesRule);
+  const sim::Vec3 axis = reader.required_vector("axis", kAxisRule);
+  const double degrees = reader.required_number("degrees", kDegreesRule);
   if (sim::length(axis) >= kDirectionLengthMin) return turned_about(axis, degrees);
   reader.fail("axis", "a direction, not all zero");
   return {};
@@ -43,7 +42,7 @@ sim::Quat read_orientation(TableReader& reader) {
     return {};
   }
   if (turned) return read_axis_and_degrees(reader);
-  std::array<double, 4> q = {1, 0, 0, 0};
+  std::array<double, 4> q{};
   if (!reader.numbers("orientation", q, kQuaternionRule)) return {};
   const double squares = q[0] * q[0] + ((q[1] * q[1] + q[2] * q[2]) + q[3] * q[3]);
   if (squares >= kDirectionLengthMin * kDirectionLengthMin) return sim::normalised({q[0], q[1], q[2], q[3]});
@@ -68,7 +67,7 @@ sim::Material read_material(const toml::table& table, const std::string& label, 
   material.friction_dynamic = reader.number("friction_dynamic", following, kFrictionRule);
   material.restitution = reader.number("restitution", base.restitution, kRestitutionRule);
   material.texture =
-      static_cast<sim::Texture>(reader.choice("texture", static_cast<std::size_t>(base.texture), kTextures));
+      static_cast<sim::Texture>(reader.choice("texture", static_cast<std::size_t>(base.texture), sim::kTextureNames));
   reader.finish();
   return material;
 }
@@ -110,7 +109,7 @@ sim::BoxDef read_box(TableReader& reader, const sim::Material& scene_material) {
 
 std::optional<sim::BodyId> read_id(TableReader& reader, std::string_view key) {
   if (!reader.has(key)) return std::nullopt;
-  return reader.integer(key, 1, kIdRule);
+  return reader.required_integer(key, kIdRule);
 }
 
 }  // namespace tumble::scenes

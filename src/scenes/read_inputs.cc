@@ -12,13 +12,8 @@
 namespace tumble::scenes {
 namespace {
 
-void require(TableReader& reader, const char* key, const char* wanted) {
-  if (!reader.has(key)) reader.fail(key, wanted);
-}
-
 sim::BodyId read_target(TableReader& reader) {
-  require(reader, "id", "the id of the body it is meant for");
-  return read_id(reader, "id").value_or(0);
+  return reader.required_integer("id", kIdRule, "the id of the body it is meant for");
 }
 
 sim::Command read_throw(TableReader& reader, const sim::Material& scene_material) {
@@ -28,10 +23,9 @@ sim::Command read_throw(TableReader& reader, const sim::Material& scene_material
 sim::Command read_push(TableReader& reader, const sim::Material&) {
   sim::Push push;
   push.id = read_target(reader);
-  require(reader, "impulse", "three components in N·s");
-  push.impulse = reader.vector("impulse", {0, 0, 0}, kImpulseRule);
+  push.impulse = reader.required_vector("impulse", kImpulseRule, "three components in N·s");
   push.at_centre = !reader.has("at");
-  push.at = reader.vector("at", {0, 0, 0}, kPositionRule);
+  push.at = reader.vector("at", push.at, kPositionRule);
   return push;
 }
 
@@ -42,20 +36,17 @@ sim::Command read_wake(TableReader& reader, const sim::Material&) { return sim::
 sim::Command read_set_velocity(TableReader& reader, const sim::Material&) {
   sim::SetVelocity set;
   set.id = read_target(reader);
-  require(reader, "velocity", "three components in m/s");
-  set.velocity = reader.vector("velocity", {0, 0, 0}, kVelocityRule);
-  set.spin = reader.vector("spin", {0, 0, 0}, kSpinRule);
+  set.velocity = reader.required_vector("velocity", kVelocityRule, "three components in m/s");
+  set.spin = reader.vector("spin", set.spin, kSpinRule);
   return set;
 }
 
 sim::Command read_set_gravity(TableReader& reader, const sim::Material&) {
-  require(reader, "gravity", "three components in m/s²");
-  return sim::SetGravity{reader.vector("gravity", {0, 0, 0}, kGravityRule)};
+  return sim::SetGravity{reader.required_vector("gravity", kGravityRule, "three components in m/s²")};
 }
 
 sim::Command read_set_dt(TableReader& reader, const sim::Material&) {
-  require(reader, "dt", "the length of the steps from here on, in s");
-  return sim::SetDt{reader.number("dt", 1, kDtRule)};
+  return sim::SetDt{reader.required_number("dt", kDtRule, "the length of the steps from here on, in s")};
 }
 
 using CommandReader = sim::Command (*)(TableReader& reader, const sim::Material& scene_material);
@@ -72,8 +63,8 @@ std::uint64_t read_step(TableReader& reader, const InputClock& clock, bool& late
   }
   const char* key = by_time ? "time" : "step";
   const std::uint64_t step =
-      by_time ? 1 + static_cast<std::uint64_t>(std::round(reader.number("time", 0, kSecondsRule) / clock.dt))
-              : reader.integer("step", 1, kStepsRule);
+      by_time ? 1 + static_cast<std::uint64_t>(std::round(reader.required_number("time", kSecondsRule) / clock.dt))
+              : reader.required_integer("step", kStepsRule);
   late = step > clock.steps;
   if (late && !clock.steps_overridden) {
     const std::string last = std::to_string(clock.steps);
@@ -164,7 +155,7 @@ PendingInput read_input(TableReader& reader, std::uint32_t table, const InputClo
     return input;
   }
   input.timed.step = read_step(reader, clock, input.late);
-  const std::size_t kind = reader.choice("kind", 0, sim::kCommandNames);
+  const std::size_t kind = reader.required_choice("kind", sim::kCommandNames);
   input.timed.command = kCommandReaders[kind](reader, scene_material);
   if (auto* thrown = std::get_if<sim::Throw>(&input.timed.command)) {
     thrown->box.origin = {sim::Origin::Kind::kInput, table, 0, 0};

@@ -9,7 +9,6 @@
 namespace tumble::scenes {
 namespace {
 
-constexpr std::array<const char*, 2> kMethods = {"thesis", "layered"};
 constexpr std::array<const char*, 7> kCategories = {"symmetry", "energy",    "stacking", "impact",
                                                     "freezing", "rendering", "session"};
 constexpr std::size_t kDefaultCategory = 6;
@@ -46,7 +45,7 @@ std::uint64_t read_steps(TableReader& reader, double dt, bool& overridden) {
   }
   const char* key = by_steps ? "steps" : "seconds";
   overridden = reader.has(key) && reader.place(key).is_override();
-  if (by_steps) return reader.integer("steps", 1, kStepsRule);
+  if (by_steps) return reader.required_integer("steps", kStepsRule);
   const double steps = std::round(reader.number("seconds", kDefaultSeconds, kSecondsRule) / dt);
   if (steps >= 1 && steps <= static_cast<double>(sim::kStepsMax)) return static_cast<std::uint64_t>(steps);
   reader.fail(reader.has("seconds") ? "seconds" : "dt",
@@ -81,7 +80,8 @@ void read_titles(TableReader& top, std::string_view file_name, sim::SceneDef& sc
 InputClock read_world(TableReader& top, sim::SceneDef& scene) {
   TableReader reader(table_or_empty(top, "world"), "[world]", top.problem());
   sim::WorldDef& world = scene.world;
-  world.method = static_cast<sim::Method>(reader.choice("method", static_cast<std::size_t>(world.method), kMethods));
+  world.method =
+      static_cast<sim::Method>(reader.choice("method", static_cast<std::size_t>(world.method), sim::kMethodNames));
   world.dt = reader.number("dt", world.dt, kDtRule);
   InputClock clock{world.dt, 0, false};
   clock.steps = read_steps(reader, world.dt, clock.steps_overridden);

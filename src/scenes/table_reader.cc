@@ -142,6 +142,36 @@ std::size_t TableReader::choice(std::string_view key, std::size_t fallback, std:
   return fallback;
 }
 
+void TableReader::require(std::string_view key, std::string_view missing) {
+  if (!has(key)) fail(key, missing);
+}
+
+double TableReader::required_number(std::string_view key, const NumberRule& rule, std::string_view missing) {
+  require(key, missing);
+  return number(key, rule.low, rule);
+}
+
+std::uint64_t TableReader::required_integer(std::string_view key, const IntegerRule& rule, std::string_view missing) {
+  require(key, missing);
+  return integer(key, rule.low, rule);
+}
+
+sim::Vec3 TableReader::required_vector(std::string_view key, const NumberRule& each, std::string_view missing) {
+  require(key, missing);
+  return vector(key, sim::Vec3::Constant(each.low), each);
+}
+
+bool TableReader::required_flag(std::string_view key, std::string_view missing) {
+  require(key, missing);
+  return flag(key, false);
+}
+
+std::size_t TableReader::required_choice(std::string_view key, std::span<const char* const> words,
+                                         std::string_view missing) {
+  require(key, missing);
+  return choice(key, 0, words);
+}
+
 const toml::table* TableReader::table(std::string_view key) {
   const toml::node* node = find(key);
   if (!node) return nullptr;

@@ -109,9 +109,8 @@ class Table1Run {
   Status run_cell(Table1Cell& cell) {
     for (const Peer& peer : peers_) cell.peers.push_back({peer.word, 0, std::nullopt});
     if (!ours_[cell.half].has_room(cell.thesis(), options_)) return {};
-    const std::string method = method_ == sim::Method::kThesis ? "thesis" : "layered";
     std::vector<std::string> overrides = overrides_of(cell, cell.dt(), static_cast<std::uint64_t>(cell.label()));
-    overrides.push_back("world.method=" + method);
+    overrides.push_back(std::string("world.method=") + name_of(method_));
     const Result<sim::SceneDef> scene = bench_scene("tilted_grid", overrides);
     if (!scene.ok()) return scene.error();
     std::vector<double> runs;
@@ -179,7 +178,7 @@ Result<Exit> bench_table1(const BenchOptions& options) {
   std::ranges::sort(cells, {}, [](const Table1Cell& c) { return std::tuple(c.half, c.column, c.row); });
   Json results = {{"bench", "table1"},
                   {"machine", machine_json()},
-                  {"method", method == sim::Method::kThesis ? "thesis" : "layered"},
+                  {"method", name_of(method)},
                   {"repeat", options.repeat.value_or(1)}};
   results.update(table1_json(cells, method));
   if (!options.json) {

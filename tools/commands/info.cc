@@ -30,12 +30,6 @@ std::string version_of(const LogHeader& header) {
   return std::to_string(header.format_major) + '.' + std::to_string(header.format_minor);
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 std::string inputs_text(const LogFacts& facts) {
   std::string text;
   for (const auto& [kind, count] : facts.inputs) {

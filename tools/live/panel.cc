@@ -7,13 +7,13 @@
 #include <numeric>
 
 #include "tumble/sim/limits.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::tools {
 namespace {
 
 constexpr float kWidth = 270;  // pixels
 const ImVec4 kWarning = {1.0F, 0.75F, 0.2F, 1.0F};
-constexpr std::array kTextures = {"crate", "brick", "wood", "concrete", "white"};
 
 constexpr const char* kKeys =
     "left button    hold, let go: use the tool\n"
@@ -69,7 +69,7 @@ void draw_hand(ViewState& view) {
   }
   ImGui::SliderFloat("friction", &view.friction, 0, 2, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::SliderFloat("bounce", &view.restitution, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
-  ImGui::Combo("texture", &view.texture, kTextures.data(), static_cast<int>(kTextures.size()));
+  ImGui::Combo("texture", &view.texture, sim::kTextureNames.data(), static_cast<int>(sim::kTextureNames.size()));
 }
 
 void draw_world(const replay::LiveFrame& frame, replay::LiveSession& session) {

@@ -25,16 +25,10 @@ std::string option_names(const ManualEntry& command) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 /// The words of which a command's first argument is one; empty where any file may stand there.
 std::string words_of(const ManualEntry& command) {
   const auto positional = std::ranges::find_if(command.arguments, &ArgumentText::positional);
-  return positional == command.arguments.end() ? "" : joined(positional->words);
+  return positional == command.arguments.end() ? "" : joined(positional->words, " ");
 }
 
 /// The options whose values are among a few words, as a pattern of bash: "--gl" or "-o|--output".
@@ -81,7 +75,7 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
       "    return\n"
       "  elif [[ ${COMP_WORDS[1]} == help && ${COMP_WORDS[2]} == --completion ]]; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W '" +
-      joined({kShells.begin(), kShells.end()}) +
+      joined({kShells.begin(), kShells.end()}, " ") +
       "' -- \"$word\")\n"
       "    return\n"
       "  fi\n"
@@ -93,7 +87,7 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
       text += "      case $before in\n";
       for (const ArgumentText& option : command.arguments) {
         if (has_words(option))
-          text += "        " + either_name(option) + ") values='" + joined(option.words) + "' ;;\n";
+          text += "        " + either_name(option) + ") values='" + joined(option.words, " ") + "' ;;\n";
       }
       text += "      esac\n";
     }
@@ -115,12 +109,12 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
 
 std::string zsh_argument(const ArgumentText& argument) {
   if (argument.positional() && !argument.words.empty()) {
-    return "':" + argument.names.front() + ":(" + joined(argument.words) + ")'";
+    return "':" + argument.names.front() + ":(" + joined(argument.words, " ") + ")'";
   }
   if (argument.positional()) return std::string("'") + (argument.repeats ? "*" : "") + ":file:_files'";
   const std::string help = '[' + single_quoted(argument.description, true) + ']';
   const std::string action =
-      argument.words.empty() ? ":_files" : ":(" + single_quoted(joined(argument.words), true) + ")";
+      argument.words.empty() ? ":_files" : ":(" + single_quoted(joined(argument.words, " "), true) + ")";
   const std::string value = argument.sign.empty() ? "" : ':' + single_quoted(argument.sign, true) + action;
   std::string text;
   for (const std::string& name : argument.names) {
@@ -170,7 +164,7 @@ std::string for_fish(const std::vector<ManualEntry>& commands) {
       for (const std::string& name : argument.names) {
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       }
-      text += argument.words.empty() ? "" : " -x -a '" + joined(argument.words) + "'";
+      text += argument.words.empty() ? "" : " -x -a '" + joined(argument.words, " ") + "'";
       text += (argument.sign.empty() || has_words(argument) ? "" : " -r") +
               (" -d '" + single_quoted(argument.description, false)) + "'\n";
     }

@@ -11,6 +11,7 @@
 #include "replay/arrays/pair_cell.h"
 #include "replay/diff/channel_difference.h"
 #include "replay/diff/difference_report.h"
+#include "src/base/text.h"
 
 namespace tumble::tools {
 namespace {
@@ -18,19 +19,8 @@ namespace {
 using replay::ChannelKind;
 using replay::ChannelScope;
 
-std::string hex_of(const std::string& bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
-  }
-  return text;
-}
-
 std::string full_text(const replay::ChannelValue& value, ChannelKind kind) {
-  if (kind == ChannelKind::kBytes) return hex_of(std::get<std::string>(value));
+  if (kind == ChannelKind::kBytes) return hex_digits(std::get<std::string>(value));
   return to_string(value, kind);
 }
 

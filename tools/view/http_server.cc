@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "src/base/text.h"
 #include "src/process/interrupt.h"
 #endif
 
@@ -32,14 +33,11 @@ constexpr auto kPause = std::chrono::milliseconds(50);
 
 /// 128 random bits in hexadecimal digits.
 Result<std::string> make_token() {
-  std::array<unsigned char, 16> bytes{};
+  std::array<char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
     return cannot_finish("view: the system gave no random numbers for the address of the page");
   }
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string token;
-  for (const unsigned char byte : bytes) token += {kDigits[byte >> 4U], kDigits[byte & 15U]};
-  return token;
+  return hex_digits({bytes.data(), bytes.size()});
 }
 
 /// Takes the same time whichever character differs.

@@ -79,7 +79,7 @@ struct PutCommand {
 void put_world(std::string& out, const sim::SceneDef& scene) {
   const sim::WorldDef &world = scene.world, usual;
   out += "\n[world]\n";
-  out += std::string("method = \"") + (world.method == sim::Method::kThesis ? "thesis" : "layered") + "\"\n";
+  out += std::string("method = \"") + name_of(world.method) + "\"\n";
   put(out, "dt", world.dt, usual.dt);
   out += "steps = " + std::to_string(scene.steps) + "\n";
   put<std::uint64_t>(out, "substeps", world.substeps, usual.substeps);

@@ -105,7 +105,7 @@ class CsvWriter : public ExportWriter {
       append_comma(number, cells);
     }
     cells += ',';
-    cells += texture_word(box.material.texture);
+    cells += name_of(box.material.texture);
     if (gridded_) {
       const bool in_grid = box.origin.kind == sim::Origin::Kind::kGrid;
       cells += in_grid ? ',' + std::to_string(box.origin.row) + ',' + std::to_string(box.origin.column) : ",,";
@@ -132,7 +132,7 @@ class CsvWriter : public ExportWriter {
     if (text == nullptr) {
       out += value_cell(value, about.type.kind);
     } else {
-      out += as_cell(about.type.kind == ChannelKind::kBytes ? hex_cell(*text) : *text);
+      out += as_cell(about.type.kind == ChannelKind::kBytes ? hex_digits(*text) : *text);
     }
   }
 

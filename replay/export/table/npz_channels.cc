@@ -126,7 +126,7 @@ Status NpzChannels::put_value(Column& column, const ChannelValues& values, std::
   std::uint64_t item = 0;
   if (is_text(column.type.kind)) {
     const bool bytes = column.type.kind == ChannelKind::kBytes;
-    const std::string text = bytes ? hex_cell(values.bytes[row]) : values.bytes[row];
+    const std::string text = bytes ? hex_digits(values.bytes[row]) : values.bytes[row];
     if (text.ends_with('\0')) {
       return bad_input(column.name + " of " + of + ": found a text that ends with a zero byte, which numpy cuts off; " +
                        "export to .csv or .mcap");

@@ -144,7 +144,7 @@ class NpzWriter : public ExportWriter {
     for (const auto& [name, number_of] : numbers) {
       if (Status ok = write_number(name, number_of); !ok.ok()) return ok;
     }
-    const auto texture = [](const ExportBody& body) { return std::string(texture_word(body.box.material.texture)); };
+    const auto texture = [](const ExportBody& body) { return std::string(name_of(body.box.material.texture)); };
     if (Status ok = write_words("texture", texture); !ok.ok()) return ok;
     if (plan_->named()) {
       if (Status ok = write_words("name", [](const ExportBody& body) { return body.name; }); !ok.ok()) return ok;

@@ -12,8 +12,6 @@
 namespace tumble::replay {
 namespace {
 
-constexpr std::array<const char*, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
-
 std::string triple(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
 
 /// Whether a unit comes back from behind the name of a column.
@@ -114,7 +112,7 @@ std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t
     const auto* text = std::get_if<std::string>(&value);
     cell += (cell.empty() ? "" : " ") + std::to_string(values.keys[row].b) + '=';
     if (text == nullptr) cell += value_cell(value, kind);
-    if (text != nullptr) cell += kind == ChannelKind::kBytes ? hex_cell(*text) : escaped_cell(*text);
+    if (text != nullptr) cell += kind == ChannelKind::kBytes ? hex_digits(*text) : escaped_cell(*text);
   }
   return cell;
 }
@@ -140,19 +138,6 @@ std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
   }
   left_out.emplace_back("inputs, phase hashes, counters, contacts, notes and snapshots");
   return left_out;
-}
-
-const char* texture_word(sim::Texture texture) { return kTextures.at(static_cast<std::size_t>(texture)); }
-
-std::string hex_cell(const std::string& bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
-  }
-  return text;
 }
 
 std::size_t value_row(const ChannelValues& values, sim::BodyId id, std::size_t& from) {

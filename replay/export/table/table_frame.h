@@ -56,12 +56,6 @@ std::string left_out_values(std::uint64_t count);
 /// The parts of a session that no table has a place for, each with its reason.
 std::vector<std::string> left_out_of_tables(const ExportPlan& plan);
 
-/// "crate", "brick", ….
-const char* texture_word(sim::Texture texture);
-
-/// Bytes in hexadecimal, for tables.
-std::string hex_cell(const std::string& bytes);
-
 /// The row of a body's value; values.size() where it has none. Ids that ascend from call to call make it quick: `from`
 /// is the row to begin at, and moves.
 std::size_t value_row(const ChannelValues& values, sim::BodyId id, std::size_t& from);

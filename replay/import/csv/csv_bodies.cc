@@ -1,7 +1,6 @@
 #include "replay/import/csv/csv_bodies.h"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <string>
 
@@ -34,11 +33,11 @@ Result<double> read_flag(const CsvReader& table, std::size_t column) {
 
 /// The number of a texture in sim::Texture.
 Result<double> read_texture(const CsvReader& table, std::size_t column) {
-  constexpr std::array<std::string_view, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
-  const auto* const found = std::ranges::find(kTextures, table.cell(column));
-  if (found != kTextures.end()) return static_cast<double>(found - kTextures.begin());
+  constexpr const auto& kNames = sim::kTextureNames;
+  const auto* const found = std::ranges::find(kNames, table.cell(column));
+  if (found != kNames.end()) return static_cast<double>(found - kNames.begin());
   return table.at(column,
-                  "texture: " + found_wanted(in_quotes(table.cell(column)), "crate, brick, wood, concrete or white"));
+                  "texture: " + found_wanted(in_quotes(table.cell(column)), list_text({kNames.begin(), kNames.end()})));
 }
 
 /// Row or column of a grid. An empty cell: the body is in none.
