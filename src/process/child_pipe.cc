@@ -47,13 +47,13 @@ bool ChildPipe::write(std::span<const std::byte> bytes) const {
 bool ChildPipe::finish() {
   if (pipe_ >= 0) ::close(pipe_);
   pipe_ = -1;
-  const bool well = child_ > 0 && wait_for(child_).well();
+  const bool well = running() && wait_for(child_).well();
   child_ = -1;
   return well;
 }
 
 void ChildPipe::abandon() {
-  if (child_ > 0) signal_group(child_, SIGTERM);
+  if (running()) signal_group(child_, SIGTERM);
   static_cast<void>(finish());
 }
 

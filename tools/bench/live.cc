@@ -1,6 +1,5 @@
 // tumble bench live: frames a second of the window, simulation included.
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -8,14 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "golden/suite/temporary_folder.h"
 #include "src/process/run_child.h"
 #include "tools/bench/bench.h"
 #include "tools/files/helper_program.h"
 
 namespace tumble::tools {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct LiveScene {
   const char* name;
@@ -36,23 +34,6 @@ const std::array<LiveScene, 2>& live_scenes() {
 constexpr double kSecondsEach = 10;
 constexpr std::uint64_t kInputFramesMost = 2;
 
-class Folder {
- public:
-  Folder() : path_((fs::temp_directory_path() / "tumble_bench_live.XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr) path_.clear();
-  }
-  ~Folder() {
-    std::error_code error;
-    if (!path_.empty()) fs::remove_all(path_, error);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
-
 std::string text_of(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
@@ -64,13 +45,14 @@ Result<Json> measure(const LiveScene& scene, double seconds) {
   if (helper.empty()) {
     return cannot_finish("live: this build has no window; install libglfw3-dev and libimgui-dev and build again");
   }
-  const Folder folder;
+  const golden::TemporaryFolder folder("tumble_bench_live");
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
   process::Program program;
   program.words = {helper,   "--json",   "--measure", short_number(seconds),
-                   "--size", scene.size, "-o",        folder.file("played.tumble")};
+                   "--size", scene.size, "-o",        file("played.tumble")};
   program.words.insert(program.words.end(), scene.words.begin(), scene.words.end());
-  program.out = folder.file("out");
-  program.err = folder.file("err");
+  program.out = file("out");
+  program.err = file("err");
   const Result<process::ChildEnd> end = process::run_child(program, seconds * 10 + 120);
   if (!end.ok()) return end.error();
   std::string complaint = text_of(program.err);

@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -24,17 +23,8 @@ double seconds_of(const timeval& time) {
 
 }  // namespace
 
-Workplace::Workplace() : folder_((fs::temp_directory_path() / "tumble_bench.XXXXXX").string()) {
-  if (::mkdtemp(folder_.data()) == nullptr) folder_.clear();
-}
-
-Workplace::~Workplace() {
-  std::error_code error;
-  if (!folder_.empty()) fs::remove_all(folder_, error);
-}
-
 Result<ProgramRun> Workplace::run(const std::vector<std::string>& arguments) const {
-  if (folder_.empty()) return cannot_finish("bench: no temporary folder can be made");
+  if (folder_.path().empty()) return cannot_finish("bench: no temporary folder can be made");
   process::Program program;
   std::error_code error;
   program.words = {fs::read_symlink("/proc/self/exe", error).string()};

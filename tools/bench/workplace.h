@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/suite/temporary_folder.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::tools {
@@ -19,18 +20,13 @@ struct ProgramRun {
 /// A folder that goes with this object, for benchmarks that run this program on files.
 class Workplace {
  public:
-  Workplace();
-  ~Workplace();
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-
-  [[nodiscard]] std::string file(const std::string& name) const { return folder_ + '/' + name; }
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
 
   /// Runs this program with these arguments to its end. Errors (kCannotFinish): it does not start.
   [[nodiscard]] Result<ProgramRun> run(const std::vector<std::string>& arguments) const;
 
  private:
-  std::string folder_;
+  golden::TemporaryFolder folder_{"tumble_bench"};
 };
 
 }  // namespace tumble::tools

@@ -16,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "golden/suite/temporary_folder.h"
 #include "src/process/run_child.h"
 #include "tools/view/http_server.h"
 
@@ -37,18 +38,12 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// A folder that goes with this object, and the server in it.
 class Workplace {
  public:
-  Workplace() : folder_((fs::temp_directory_path() / "tumble_bench_view.XXXXXX").string()) {
-    if (::mkdtemp(folder_.data()) == nullptr) folder_.clear();
-  }
-  ~Workplace() {
-    end_server();
-    std::error_code error;
-    if (!folder_.empty()) fs::remove_all(folder_, error);
-  }
+  Workplace() = default;
+  ~Workplace() { end_server(); }
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
-  [[nodiscard]] std::string file(const char* name) const { return folder_ + '/' + name; }
+  [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
 
   /// Runs this program to its end.
   [[nodiscard]] Status run(std::vector<std::string> words) const {
@@ -109,7 +104,7 @@ class Workplace {
     return program;
   }
 
-  std::string folder_;
+  golden::TemporaryFolder folder_{"tumble_bench_view"};
   pid_t server_ = 0;
 };
 
