@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace tumble {
 
@@ -118,6 +119,17 @@ struct Worker {
     return part < of ? Share{n * part / of, n * (part + 1) / of} : Share{n, n};
   }
   [[nodiscard]] Share share(std::size_t n) const { return share(n, parts); }
+
+  /// This worker's range of groups, whole ones, so that all workers get about one number of items. start: by group, its
+  /// first item; one more at the end.
+  [[nodiscard]] Share share_groups(std::span<const std::uint32_t> start) const {
+    const std::span<const std::uint32_t> groups = start.first(start.size() - 1);
+    const auto first_of = [&](unsigned worker) {
+      const std::size_t item = std::size_t{start.back()} * worker / parts;
+      return static_cast<std::size_t>(std::lower_bound(groups.begin(), groups.end(), item) - groups.begin());
+    };
+    return {first_of(part), part + 1 == parts ? groups.size() : first_of(part + 1)};
+  }
 
   /// Adds to a sum to which others add at the same time, and returns what it was. Sums of doubles must be exact.
   template <class Number>

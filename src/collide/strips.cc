@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "src/base/check.h"
 #include "src/collide/sweep.h"
 
 namespace tumble::sim {
@@ -18,9 +19,9 @@ constexpr std::size_t kFewBodies = 48;  // for which one strip is enough
 // The spread of the bodies along an axis.
 struct Spread {
   int axis = 0;
-  double low = 0, range = 0, extent = 0;  // m; extent: the mean
+  double low = 0, range = 0, extent = 0;  // m; extent: the mean, > 0
 
-  [[nodiscard]] double extents() const { return extent > 0 ? range / extent : 0; }
+  [[nodiscard]] double extents() const { return range / extent; }
 };
 
 // The spreads along the three axes. Each worker looks at a range of bodies; how the sums of extents are rounded changes
@@ -102,7 +103,7 @@ Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
   const std::size_t n = scratch.frames.size();
   const std::vector<double>& low = column_of(scratch.aabb_low, spread.axis);
   const std::vector<double>& high = column_of(scratch.aabb_high, spread.axis);
-  if (n < kFewBodies || !(spread.extent > 0)) return one_strip(spread);
+  if (n < kFewBodies) return one_strip(spread);
   double width = std::max(kStripWidth * spread.extent, spread.range / most);
   while (entries_in(strips_of_width(spread, width), low, high, scratch.workers) > 2 * n) width *= 2;
   return strips_of_width(spread, width);
@@ -214,17 +215,11 @@ void gather_boxes(Scratch& scratch, int first, int second, int third, const Work
   }
 }
 
-// Gives each worker cells with about one number of entries.
 void sweep_cells(SweepScratch& sweep, const Cells& cells, double bin, const Worker& worker) {
-  const std::vector<std::uint32_t>& start = sweep.cell_start;
-  const auto first_cell = [&](unsigned part) {
-    const std::size_t entry = sweep.entries.size() * part / worker.parts;
-    return static_cast<std::uint32_t>(std::lower_bound(start.begin(), start.end() - 1, entry) - start.begin());
-  };
   FoundPairs& found = sweep.found_by[worker.part];
   found.clear();
-  const std::uint32_t end = worker.part + 1 == worker.parts ? cells.count() : first_cell(worker.part + 1);
-  for (std::uint32_t c = first_cell(worker.part); c < end; ++c) sweep_cell(sweep, cells, c, bin, found);
+  const Worker::Share own = worker.share_groups(sweep.cell_start);
+  for (auto c = static_cast<std::uint32_t>(own.begin); c < own.end; ++c) sweep_cell(sweep, cells, c, bin, found);
 }
 
 void find_in_cells(Scratch& scratch) {
@@ -234,7 +229,8 @@ void find_in_cells(Scratch& scratch) {
   const std::array<Spread, 3> axes = longest_first(scratch);
   const Spread& first = axes[0];
   const double bin = std::max(kBinWidth * first.extent, first.range / (4 * bodies));
-  const Strips bins = strips_of_width(first, bin > 0 ? bin : 1);
+  SIM_DCHECK(bin > 0, bin);  // every box has an extent
+  const Strips bins = strips_of_width(first, bin);
   Cells cells = {lay_strips(scratch, axes[1], bodies), one_strip(axes[2])};
   const double crowd = bodies / (std::max(1.0, first.extents()) * cells.second.count);
   if (crowd > kCrowd) cells.third = lay_strips(scratch, axes[2], 2 * bodies / cells.second.count);

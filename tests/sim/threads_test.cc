@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -92,6 +93,28 @@ TEST(WorkerThreads, SharesCoverEverythingOnce) {
         }
         EXPECT_EQ(next, n);
       }
+    }
+  }
+}
+
+// Groups of any sizes, empty ones among them: each group is one worker's, and no worker has more than its part of the
+// items but for one group.
+TEST(WorkerThreads, SharesOfGroupsCoverThemOnce) {
+  const std::vector<std::vector<std::uint32_t>> starts = {
+      {0}, {0, 0}, {0, 5}, {0, 0, 1, 1, 3, 3}, {0, 10, 11, 12, 13}, {0, 1, 2, 3, 13}, {0, 3, 6, 9, 12, 15, 18, 21}};
+  for (const std::vector<std::uint32_t>& start : starts) {
+    for (unsigned parts = 1; parts <= 9; ++parts) {
+      std::size_t next = 0;
+      for (unsigned part = 0; part < parts; ++part) {
+        const Worker::Share share = Worker{nullptr, part, parts}.share_groups(start);
+        ASSERT_EQ(share.begin, next);
+        ASSERT_LE(share.begin, share.end);
+        next = share.end;
+        std::uint32_t largest = 0;
+        for (std::size_t k = share.begin; k < share.end; ++k) largest = std::max(largest, start[k + 1] - start[k]);
+        EXPECT_LE(start[share.end] - start[share.begin], start.back() / parts + 1 + largest);
+      }
+      EXPECT_EQ(next, start.size() - 1);
     }
   }
 }

@@ -193,14 +193,6 @@ class Filling {
   std::uint32_t ground_;  // its row in solver_bodies
 };
 
-// The first layer of a worker's: all workers get about one number of batches.
-std::uint32_t first_layer(const ContactBatches& all, const Worker& worker, unsigned part) {
-  const std::size_t wanted = all.batches.size() * part / worker.parts;
-  const auto layers_end = all.layer_start.end() - 1;
-  return static_cast<std::uint32_t>(std::lower_bound(all.layer_start.begin(), layers_end, wanted) -
-                                    all.layer_start.begin());
-}
-
 void batch_layers(const WorldState& state, const LayerList& layers, std::span<const Manifold> manifolds,
                   std::span<const ManifoldPoint> points, Workers* workers, ContactBatches& all) {
   Grouping grouping(layers, manifolds, all);
@@ -211,9 +203,8 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
   all.touched_end.resize(layers.count());
   if (all.uses.size() < parts) all.uses.resize(parts);
   work_together(workers, parts, [&](const Worker& worker) {
-    const std::uint32_t begin = first_layer(all, worker, worker.part);
-    const std::uint32_t end = worker.part + 1 == parts ? layers.count() : first_layer(all, worker, worker.part + 1);
-    for (std::uint32_t layer = begin; layer < end; ++layer) grouping.group_layer(layer);
+    const Worker::Share own = worker.share_groups(all.layer_start);
+    for (auto layer = static_cast<std::uint32_t>(own.begin); layer < own.end; ++layer) grouping.group_layer(layer);
     worker.meet();
     if (worker.first()) grouping.place_points();
     worker.meet();
@@ -228,7 +219,7 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
     }
     worker.meet();
     all.uses[worker.part].resize(state.bodies.size());
-    for (std::uint32_t k = begin; k < end; ++k) {
+    for (auto k = static_cast<std::uint32_t>(own.begin); k < own.end; ++k) {
       share_layer(state.bodies, k, layers.start[k], all.uses[worker.part], all);
     }
   });

@@ -48,15 +48,14 @@ class SharesBuilder {
         shares_(scratch.shares),
         worker_(worker),
         axis_(axis),
-        begin_(layer_from(worker.part)),
-        end_(worker.part + 1 == worker.parts ? layers() : layer_from(worker.part + 1)),
+        own_(worker.share_groups(all_.layer_start)),
         places_(scratch.shares.places[worker.part]) {}
 
   void build() {
     const Worker::Share rows = worker_.share(bodies_.size());
     std::fill(shares_.users.begin() + static_cast<std::ptrdiff_t>(rows.begin),
               shares_.users.begin() + static_cast<std::ptrdiff_t>(rows.end), std::uint64_t{0});
-    for (std::uint32_t layer = begin_; layer < end_; ++layer) cut_layer(layer);
+    for (auto layer = static_cast<std::uint32_t>(own_.begin); layer < own_.end; ++layer) cut_layer(layer);
     worker_.meet();
     find_users();
     worker_.meet();
@@ -69,13 +68,6 @@ class SharesBuilder {
 
  private:
   [[nodiscard]] std::uint32_t layers() const { return static_cast<std::uint32_t>(all_.touched_start.size()); }
-  // All workers get about one number of batches, in whole layers.
-  [[nodiscard]] std::uint32_t layer_from(unsigned part) const {
-    const std::size_t wanted = all_.batches.size() * part / worker_.parts;
-    const auto end = all_.layer_start.end() - 1;
-    return static_cast<std::uint32_t>(std::lower_bound(all_.layer_start.begin(), end, wanted) -
-                                      all_.layer_start.begin());
-  }
 
   [[nodiscard]] double place_of_batch(std::uint32_t k) const {
     const BatchSides& sides = all_.sides[k];
@@ -176,7 +168,7 @@ class SharesBuilder {
   // Lists for each worker the bodies of a layer that it uses in any layer, with the rows that it uses.
   void list_touched() {
     const unsigned parts = worker_.parts;
-    for (std::uint32_t layer = begin_; layer < end_; ++layer) {
+    for (auto layer = static_cast<std::uint32_t>(own_.begin); layer < own_.end; ++layer) {
       std::uint32_t count = 0;
       for (const BodyOutcomes& of : touched_of(layer)) count += copies_of(shares_.users[of.body]) + 1;
       shares_.touched_first[std::size_t{layer} * parts] = count;
@@ -191,7 +183,7 @@ class SharesBuilder {
       shares_.touched.resize(sum);
     }
     worker_.meet();
-    for (std::uint32_t layer = begin_; layer < end_; ++layer) {
+    for (auto layer = static_cast<std::uint32_t>(own_.begin); layer < own_.end; ++layer) {
       std::array<std::uint32_t, kSharesMost + 1> next{};
       for_users(layer, [&](const BodyOutcomes&, unsigned w) { ++next[w + 1]; });
       next[0] = shares_.touched_first[std::size_t{layer} * parts];
@@ -221,7 +213,7 @@ class SharesBuilder {
   SweepShares& shares_;
   Worker worker_;
   int axis_;
-  std::uint32_t begin_, end_;  // layers
+  Worker::Share own_;  // layers
   std::vector<std::pair<double, std::uint32_t>>& places_;
 };
 
