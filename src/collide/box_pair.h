@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "src/kernels/box_frame.h"
+#include "src/kernels/box_tests.h"
 
 namespace tumble::sim {
 
@@ -24,6 +26,11 @@ struct BestAxes {
   AxisSet axes = 0;
   double separation = 0;  ///< m, negative when the boxes overlap along the axis
 };
+
+/// A result of pair k of the test in lanes.
+inline BestAxes best_of(const BoxTests::Best& best, std::size_t k) {
+  return {static_cast<AxisSet>(best.axes[k]), best.separation[k]};
+}
 
 /// The larger separation of two results; a result without axes does not count.
 inline double larger_separation(const BestAxes& x, const BestAxes& y) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "tumble/sim/rotation.h"
@@ -23,6 +24,11 @@ inline double reach_along(const BoxFrame& frame, int axis) {
 
 /// Whether the lowest corner lies in the ground, z < 0.
 inline bool reaches_ground(const BoxFrame& frame) { return reach_along(frame, 2) > frame.position.z(); }
+
+/// The smallest half extent of two boxes, m.
+inline double smallest_half_extent(const BoxFrame& a, const BoxFrame& b) {
+  return std::min(a.half_extent.minCoeff(), b.half_extent.minCoeff());
+}
 
 /// An eighth of the volume, m³; tells which of two boxes is larger.
 inline double volume_measure(const BoxFrame& frame) {

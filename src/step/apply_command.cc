@@ -1,9 +1,9 @@
-#include <cmath>
 #include <string>
 
 #include "src/base/text.h"
 #include "src/math/grid.h"
 #include "src/step/first_contacts.h"
+#include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
 #include "src/world/forget_contacts.h"
 #include "src/world/scratch.h"
@@ -18,10 +18,6 @@ std::string id_text(BodyId id) { return std::to_string(id); }
 Error unknown_body(const char* input, BodyId id) {
   return bad_input(std::string(input) + ": found id " + id_text(id) +
                    ", wanted the id of a body that exists at this step");
-}
-
-bool within(const Vec3& v, double limit) {
-  return std::fabs(v.x()) <= limit && std::fabs(v.y()) <= limit && std::fabs(v.z()) <= limit;
 }
 
 Status check_vector(const char* input, const char* what, const Vec3& v, double limit) {
@@ -118,7 +114,7 @@ class Applier {
       restart_rest(state_, i);
       return {};
     }
-    if (kinetic_energy(bodies_, i) / bodies_.mass[i] > kEscapeFactor * state_.def.freeze_energy) {
+    if (energy_per_mass(bodies_, i) > kEscapeFactor * state_.def.freeze_energy) {
       wake_body(state_, i);
       restart_rest(state_, i);
     } else {

@@ -3,7 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "src/layered/find/find_manifolds.h"
 #include "src/layered/find/find_near_pairs.h"
@@ -36,6 +38,13 @@
 namespace tumble::sim {
 namespace {
 
+// The place of a phase in its table. A name that is not there does not compile.
+consteval std::size_t place_of(std::span<const Phase> phases, std::string_view name) {
+  std::size_t place = 0;
+  while (phases[place].name != name) ++place;
+  return place;
+}
+
 // Chapter III of the thesis, in order. Each phase has a file of its name.
 constexpr Phase kThesisPhases[] = {
     {"integrate", integrate, hash_integrate},
@@ -49,7 +58,7 @@ constexpr Phase kThesisPhases[] = {
     {"recheck_planes", recheck_planes, hash_recheck_planes},
     {"update_freezing", update_freezing, hash_update_freezing},
 };
-constexpr PhaseTable kThesis = {kThesisPhases, 0, std::size(kThesisPhases), 3};
+constexpr PhaseTable kThesis = {kThesisPhases, 0, std::size(kThesisPhases), place_of(kThesisPhases, "find_contacts")};
 
 // Contacts are found once a step; gravity, contacts and motion alternate in substeps.
 constexpr Phase kLayeredPhases[] = {
@@ -72,7 +81,8 @@ constexpr Phase kLayeredPhases[] = {
     {"finish_motion", finish_motion, hash_finish_motion},
     {"update_sleeping", update_sleeping, hash_update_sleeping},
 };
-constexpr PhaseTable kLayered = {kLayeredPhases, 7, 13, 0};
+constexpr PhaseTable kLayered = {kLayeredPhases, place_of(kLayeredPhases, "find_fast_contacts"),
+                                 place_of(kLayeredPhases, "bounce_contacts"), 0};
 
 // floor(log2(substeps)): the number of times that a step may be halved.
 unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }
@@ -81,11 +91,11 @@ unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std
 // bodies that have come to rest apart, so one step is not enough.
 constexpr std::uint32_t kStillSteps = 2;
 
-bool nothing_moves(const WorldState& state) {
-  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
-    if (state.bodies.moves(i)) return false;
+bool nothing_moves(const Bodies& bodies) {
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (bodies.moves(i)) return false;
   }
-  return state.def.method == Method::kLayered;
+  return true;
 }
 
 // Method layered: the number of points of the manifolds that were solved.
@@ -180,7 +190,7 @@ class StepRun {
     for (std::size_t k = 0; k < table_.trial_count; ++k) {
       if (Status ok = run(k, dt_s); !ok.ok()) return ok;
     }
-    if (depth > 0 && world_.scratch().contacts.a.size() > most) {
+    if (depth > 0 && world_.scratch().contacts.size() > most) {
       put_back(depth);
       return halve(dt_s, depth);
     }
@@ -266,7 +276,8 @@ Result<StepCounters> step(World& world, Observer* observer) {
   world.mutable_scratch().removed_energy = 0;
   StepRun run(world, observer);
   std::uint32_t& still = world.mutable_scratch().still_steps;
-  still = nothing_moves(world.state()) ? still + 1 : 0;
+  const bool may_be_still = world.state().def.method == Method::kLayered;
+  still = may_be_still && nothing_moves(world.bodies()) ? still + 1 : 0;
   if (still > kStillSteps) {
     run.look_at_all();
   } else if (Status ok = run.run_all(); !ok.ok()) {

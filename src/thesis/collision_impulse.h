@@ -33,7 +33,7 @@ void find_encounter(const ContactBody& a, const ContactBody& b, const Vec3& norm
 /// Equation 3.1 with friction, of bodies that meet so. patch: the corners that touch, from the collision point, or
 /// none.
 /// Friction is static while the slip that the points had before gravity acted is slower than slip_speed, or turns
-/// round, and what gravity adds in one sub-step can be held; else dynamic. It presses by equation 3.1 without what the
+/// round, and what gravity adds in one substep can be held; else dynamic. It presses by equation 3.1 without what the
 /// restitution throws back of gravity's own gain.
 /// A face that rubs presses harder at the corners ahead of the friction: the collision point moves along the slip, as
 /// far as the patch reaches, to where friction and pressure together turn neither body against the other.

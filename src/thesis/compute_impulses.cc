@@ -23,7 +23,7 @@ Response part_response(const WorldState& state, const Scratch& scratch, BodyInde
   return {parts * state.bodies.inverse_mass[i], state.bodies.inverse_inertia[i] * parts};
 }
 
-// One part of a body, as a collision meets it, but for r. gravity_gain: m/s in this sub-step, of a body that moves.
+// One part of a body, as a collision meets it, but for r. gravity_gain: m/s in this substep, of a body that moves.
 void take_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& gravity_gain,
                ContactBody& body) {
   const Bodies& bodies = state.bodies;
@@ -56,8 +56,8 @@ std::uint8_t hit_of(const SplitScratch& split, std::size_t k, bool resting) {
   return static_cast<std::uint8_t>((resting ? 0 : kHit) + (fully ? kBouncesFully : 0));
 }
 
-// Finds the outcome of a collision for one body. At rest friction acts evenly throughout the sub-step, as gravity does:
-// half of the speed that friction takes, times the sub-step, is taken from the way as well.
+// Finds the outcome of a collision for one body. At rest friction acts evenly throughout the substep, as gravity does:
+// half of the speed that friction takes, times the substep, is taken from the way as well.
 void find_gain(const Bodies& bodies, const BoxFrame& frame, const Side& side, const Collision& collision, double dt_s,
                const Vec3& turning, Gain& gain) {
   const double yield = side.sign * bodies.inverse_mass[side.body];

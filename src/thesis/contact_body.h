@@ -17,7 +17,7 @@ struct ContactBody : Response {
   Vec3 spin = Vec3::Zero();      ///< rad/s
   Axes axes = axes_of(Quat{});
   Vec3 r = Vec3::Zero();       ///< collision point from the centre of mass, m
-  Vec3 gained = Vec3::Zero();  ///< m/s, the part of `velocity` that gravity added in this sub-step
+  Vec3 gained = Vec3::Zero();  ///< m/s, the part of `velocity` that gravity added in this substep
 };
 
 }  // namespace tumble::sim

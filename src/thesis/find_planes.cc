@@ -36,10 +36,6 @@ struct BestOfKinds {
   BestAxes first, others, edges;
 };
 
-BestAxes best_of(const BoxTests::Best& best, std::size_t k) {
-  return {static_cast<AxisSet>(best.axes[k]), best.separation[k]};
-}
-
 BestAxes better_of(const BestAxes& x, const BestAxes& y) {
   if (x.axes == 0 || y.axes == 0) return x.axes == 0 ? y : x;
   if (x.separation == y.separation) return {static_cast<AxisSet>(x.axes | y.axes), x.separation};
@@ -65,8 +61,8 @@ AxisSet find_separating(const BestOfKinds& best, AxisSet old) {
   return faces != 0 ? faces : edges;
 }
 
-AxisSet least_overlap(const BestOfKinds& best, double smallest_half_extent) {
-  const double margin = kPreference * smallest_half_extent;
+AxisSet least_overlap(const BestOfKinds& best, double smallest) {
+  const double margin = kPreference * smallest;
   BestAxes chosen = best.first;
   for (const BestAxes& other : {best.others, best.edges}) {
     if (other.axes != 0 && (chosen.axes == 0 || other.separation > chosen.separation + margin)) chosen = other;
@@ -75,12 +71,12 @@ AxisSet least_overlap(const BestOfKinds& best, double smallest_half_extent) {
 }
 
 AxisSet collision_planes(const BoxFrame& a, const BoxFrame& b, AxisSet old, const BestOfKinds& best) {
-  const double smallest_half_extent = std::min(a.half_extent.minCoeff(), b.half_extent.minCoeff());
+  const double smallest = smallest_half_extent(a, b);
   if (old != 0) {
     const BestAxes cached = BoxPair(a, b).best(old);
-    if (cached.axes != 0 && -cached.separation <= kOldPlaneDepth * smallest_half_extent) return cached.axes;
+    if (cached.axes != 0 && -cached.separation <= kOldPlaneDepth * smallest) return cached.axes;
   }
-  return least_overlap(best, smallest_half_extent);
+  return least_overlap(best, smallest);
 }
 
 void add_collision(Contacts& contacts, BodyIndex a, BodyIndex b, AxisSet planes) {

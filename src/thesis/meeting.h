@@ -16,7 +16,7 @@ namespace tumble::sim {
 struct Meeting {
   double approach = 0;  // m/s along the normal, < 0
   double slip = 0;      // m/s along the tangent, >= 0
-  double pull = 0;      // m/s of slip that gravity adds in one sub-step
+  double pull = 0;      // m/s of slip that gravity adds in one substep
   bool resting = false;
   bool slow = false;                           // whether the slip was slow before gravity acted, or turned round
   double normal_yield = 0, tangent_yield = 0;  // 1/kg

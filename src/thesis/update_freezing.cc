@@ -10,8 +10,6 @@
 namespace tumble::sim {
 namespace {
 
-double energy_per_mass(const Bodies& bodies, BodyIndex i) { return kinetic_energy(bodies, i) / bodies.mass[i]; }
-
 bool immovable(const Bodies& bodies, const std::vector<std::uint8_t>& frozen, BodyIndex i) {
   return i == kGround || bodies.is_static[i] != 0 || frozen[i] != 0;
 }

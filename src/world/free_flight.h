@@ -32,8 +32,6 @@ struct Rotation {
   Quat orientation;
   Vec3 spin;
 };
-/// True of a cube and the like: equal moments of inertia, so the spin stays as it is.
-inline bool turns_evenly(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
 /// The turn of a body with different moments of inertia.
 Rotation rotate_unevenly(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
                          double dt_s);

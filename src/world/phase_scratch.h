@@ -12,8 +12,8 @@
 #include "tumble/sim/vec.h"
 #include "tumble/sim/world_state.h"
 
-/// Private memory of single phases while they run; parts of Scratch, so that a warm step does not allocate. No phase
-/// may read the memory of another one.
+/// Memory of single phases while they run; parts of Scratch, so that a warm step does not allocate. Another phase reads
+/// none of it but what a comment says.
 namespace tumble::sim {
 
 /// The velocities that a body may get within a step, m/s, none (no motion) among them.
@@ -59,7 +59,7 @@ struct Encounter {
   Turns by_normal, by_tangent;   ///< of unit impulses
   double approach = 0;           ///< m/s along the normal; the bodies part where it is not negative
   double slip = 0;               ///< m/s along the tangent, >= 0
-  double pull = 0;               ///< m/s of slip that gravity adds in one sub-step
+  double pull = 0;               ///< m/s of slip that gravity adds in one substep
   bool rough = false;            ///< whether there is friction
   bool slow = false;             ///< whether the slip was slow before gravity acted, or turned round
   bool shared = false;           ///< whether the corners may share the load
@@ -108,6 +108,13 @@ struct WakeScratch {
   std::vector<std::uint8_t> wakes;   ///< by the body that stands for an island
 };
 
+/// Bodies in waves (waves.h).
+struct WaveScratch {
+  std::vector<BodyIndex> bodies;     ///< wave by wave
+  std::vector<std::uint32_t> start;  ///< by wave, in `bodies`; one more at the end
+  std::uint32_t pushed[3] = {};      ///< bodies of three waves that follow one another
+};
+
 /// Memory of assign_levels.
 struct LevelScratch {
   std::vector<std::uint8_t> marked, in_hard;  ///< by the body that stands for an island; by body
@@ -152,6 +159,13 @@ struct WeightScratch {
   std::vector<double> offered;            ///< kg, by body, the largest mass above
   std::vector<double> borne;              ///< kg, by body, everything that rests on the body
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it
+};
+
+/// What part_overlaps exchanges with solver_bodies while it solves: speeds that end overlaps within the step and then
+/// are forgotten. update_sleeping reads them.
+struct OverlapScratch {
+  bool any = false;                  ///< whether anything parts in this step; the rest is old where nothing does
+  std::vector<Vec3> velocity, spin;  ///< m/s, rad/s, by row of solver_bodies; afterwards those that part
 };
 
 /// Which bodies the sweeps of a step have moved; ContactWork::visit.
@@ -212,7 +226,7 @@ struct SleepScratch {
   std::vector<std::uint8_t> restless;  ///< by the body that stands for an island
   std::vector<std::uint8_t> held;      ///< likewise: the island touches what does not move
   std::vector<std::uint8_t> together;  ///< likewise: the island has two bodies or more
-  std::vector<double> energy_before;   ///< J/kg, of a body as the step found it; of those that may sleep after the step
+  std::vector<double> energy_before;   ///< J/kg, as prepare_manifolds found a body; of those that may sleep afterwards
   std::vector<double> liveliest_before, liveliest;  ///< J/kg, by island: the most of a body, and what it is after
 };
 

@@ -126,13 +126,6 @@ struct ContactGraph {
   std::vector<std::uint32_t> next;   ///< by body, while `ends` is filled
 };
 
-/// Bodies in waves (waves.h).
-struct WaveScratch {
-  std::vector<BodyIndex> bodies;     ///< wave by wave
-  std::vector<std::uint32_t> start;  ///< by wave, in `bodies`; one more at the end
-  std::uint32_t pushed[3] = {};      ///< bodies of three waves that follow one another
-};
-
 /// A pair of bodies (lower row, higher row), or a body and kGround.
 using ContactPair = std::pair<BodyIndex, BodyIndex>;
 
@@ -144,8 +137,10 @@ struct ManifoldList {
   std::size_t manifolds_before = 0, points_before = 0;  ///< counts of the workers before
 };
 
-/// A value of in_contact: a body with no contact but those of fast pairs. 1: a body with others.
-inline constexpr std::uint8_t kInFastPair = 3;
+/// Values of in_contact. kFree: a body that does not move, or that flies; kInContact: one that the solver moves;
+/// kBeyond: one that the solver has moved out of the grids, an error; kInFastPair: one with no contact but those of
+/// fast pairs.
+inline constexpr std::uint8_t kFree = 0, kInContact = 1, kBeyond = 2, kInFastPair = 3;
 
 /// A body of a fast pair, as the step found it.
 struct FastBody {
@@ -189,13 +184,6 @@ struct FastContacts {
   [[nodiscard]] bool none() const { return pairs.empty(); }
 };
 
-/// What part_overlaps exchanges with solver_bodies while it solves: speeds that end overlaps within the step and then
-/// are forgotten.
-struct OverlapScratch {
-  bool any = false;                  ///< whether anything parts in this step; the rest is old where nothing does
-  std::vector<Vec3> velocity, spin;  ///< m/s, rad/s, by row of solver_bodies; afterwards those that part
-};
-
 /// Copies of the columns that the trial phases write; a rejected substep puts them back.
 struct SavedMotion {
   Vec3Column position, velocity, spin;
@@ -221,60 +209,66 @@ inline constexpr std::uint8_t kHit = 1, kBouncesFully = 2;
 /// every step gives the bits of a kept one. It is kept only so that a warm step does not allocate and searches start
 /// quickly.
 struct Scratch {
-  std::vector<BoxFrame> frames;  ///< written by find_pairs
-  Vec3Column aabb_low;           ///< written by find_pairs; on PositionGrid
+  // Both methods: boxes and the search for pairs.
+  std::vector<BoxFrame> frames;  ///< written by find_pairs and find_near_pairs
+  Vec3Column aabb_low;           ///< likewise; on PositionGrid
   Vec3Column aabb_high;
-  std::vector<std::uint8_t> framed;  ///< bodies whose boxes are up to date; empty between steps
   SweepScratch sweep;
+
+  // Method thesis: what a phase passes on, in the order of the phases; then memory of single phases.
+  std::vector<std::uint8_t> framed;       ///< bodies whose boxes are up to date; empty between steps
   std::vector<std::uint16_t> old_planes;  ///< by pair, before find_planes; written by find_pairs
   Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
   std::vector<Gain> gains;                ///< by touched body, sum of its outcomes; written by compute_impulses
-  Vec3Column displacement;                ///< by touched body, merged, m; written by compute_separation
   std::vector<std::uint8_t> hit;          ///< by body, kHit and kBouncesFully; written by compute_impulses
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
-  // Method layered.
-  std::vector<std::uint8_t> held;     ///< bodies that a contact pressed at the end of the last step; by find_manifolds
-  std::vector<double> turning;        ///< m, way of corners by turning; written by find_near_pairs
-  std::vector<VelocityRange> ranges;  ///< by body, empty where no two are fast; written by find_near_pairs
+  Vec3Column displacement;                ///< by touched body, merged, m; written by compute_separation
+  double removed_energy = 0;              ///< J, dissipated in this step; written by apply_outcomes
+  SplitScratch split;
+  SeparationScratch separation;
+  FreezeScratch freezing;
+  std::vector<SavedMotion> saved;  ///< by depth of halving; written by step
+
+  // Method layered: what a phase passes on, in the order of the phases; then memory of single phases.
+  std::vector<double> turning;             ///< m, way of corners by turning; written by find_near_pairs
+  std::vector<VelocityRange> ranges;       ///< by body, empty where no two are fast; written by find_near_pairs
   std::vector<std::uint8_t> hit_unevenly;  ///< by body, empty as ranges; written by find_near_pairs
-  LargeVector<Manifold> manifolds;         ///< in the order of the pairs; written by find_manifolds
+  std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds
+  LargeVector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   LargeVector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by worker
+  FastContacts fast;
   bool found_again = false;                ///< whether wake_islands found the manifolds again
   ContactGraph graph;                      ///< written by assign_levels
-  WaveScratch waves;                       ///< written by assign_levels, then by carry_weights
   std::vector<std::uint32_t> level;        ///< by body: contacts away from rest; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< awake manifolds, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< by layer, in `layered`
   std::vector<SweepGroup> sweep_groups;    ///< a group of hard islands comes last
   std::vector<double> solver_mass;         ///< kg, by body, along `lent_along` in the solver; written by carry_weights
   std::vector<Vec3> lent_along;            ///< by body, unit, where it has lent inertia; else zero
-  std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
+  std::vector<std::uint8_t> in_contact;    ///< by body, kFree … kInFastPair; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;
-  VisitScratch visits;      ///< written by prepare_manifolds and every sweep
-  SweepShares shares;       ///< written by prepare_manifolds
-  OverlapScratch overlaps;  ///< written by part_overlaps
-  FastContacts fast;
-  LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time
-  Workers* workers = nullptr;            ///< changes nothing but time; not owned
-  LayerObserver* layers = nullptr;       ///< changes nothing; not owned; null: nobody looks
-  Hasher* hasher = nullptr;              ///< of the observer, while a phase may feed it (hash_on_the_way.h)
-  const Hasher* fed_hasher = nullptr;    ///< that the last phase has fed; both change nothing
-
-  std::uint32_t still_steps = 0;        ///< steps in a row without an input and without a body that could move
-  std::vector<Energy> energies;         ///< by body, at the end of a step; with workers
-  double removed_energy = 0;            ///< J, dissipated in this step; written by apply_outcomes
-  std::vector<SavedMotion> saved;       ///< by depth of halving; written by step
-  std::vector<BodyIndex> island_links;  ///< memory of Islands
-  // Private memory of single phases.
-  SplitScratch split;
-  SeparationScratch separation;
-  FreezeScratch freezing;
+  SweepShares shares;                   ///< written by prepare_manifolds
+  VisitScratch visits;                  ///< written by prepare_manifolds and every sweep
+  OverlapScratch overlaps;              ///< written by part_overlaps
+  WaveScratch waves;                    ///< of assign_levels, then of carry_weights
+  std::vector<BodyIndex> island_links;  ///< memory of Islands, of one phase at a time
   WakeScratch waking;
   LevelScratch levels;
   WeightScratch weights;
   SleepScratch sleeping;
+
+  // The loop of a step.
+  std::uint32_t still_steps = 0;  ///< steps in a row without an input and without a body that could move
+  std::vector<Energy> energies;   ///< by body, at the end of a step; with workers
+
+  // The means of the caller, and who looks on. They change nothing but time.
+  LaneWidth lanes = LaneWidth::kWidest;
+  Workers* workers = nullptr;          ///< not owned
+  LayerObserver* layers = nullptr;     ///< not owned; null: nobody looks
+  Hasher* hasher = nullptr;            ///< of the observer, while a phase may feed it (hash_on_the_way.h)
+  const Hasher* fed_hasher = nullptr;  ///< that the last phase has fed
 };
 
 /// The points of a manifold.
@@ -282,6 +276,9 @@ inline std::span<ManifoldPoint> points_of(Scratch& scratch, const Manifold& m) {
   return std::span(scratch.manifold_points).subspan(m.first, m.count);
 }
 inline std::span<ManifoldPoint> points_of(ManifoldList& list, const Manifold& m) {
+  return std::span(list.points).subspan(m.first, m.count);
+}
+inline std::span<const ManifoldPoint> points_of(const ManifoldList& list, const Manifold& m) {
   return std::span(list.points).subspan(m.first, m.count);
 }
 inline std::span<const ManifoldPoint> points_of(const Scratch& scratch, const Manifold& m) {

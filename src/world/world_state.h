@@ -13,22 +13,22 @@
 
 namespace tumble::sim {
 
-/// All bodies, structure of arrays, one row a body in ascending id.
-///
-/// | column              | shape  | unit      | written by                          | state hash | continuation hash |
-/// |---------------------|--------|-----------|-------------------------------------|------------|-------------------|
-/// | id                  | n      |           | throw, remove                       | yes        | yes               |
-/// | position            | n × 3  | m         | integrate, apply_outcomes           | yes        | yes               |
-/// | orientation         | n × 4  | w x y z   | integrate                           | yes        | yes               |
-/// | velocity            | n × 3  | m/s       | integrate, apply_outcomes, freezing | yes        | yes               |
-/// | spin                | n × 3  | rad/s     | integrate, apply_outcomes, freezing | yes        | yes               |
-/// | frozen              | n      | 0 or 1    | update_freezing, inputs             | yes        | yes               |
-/// | low_energy_time     | n      | s         | update_freezing                     |            | yes               |
-/// | half_extent         | n × 3  | m         | throw                               |            | yes               |
-/// | mass, inverse_mass  | n      | kg, 1/kg  | throw; inverse 0 for statics        |            | yes               |
-/// | inertia, its inverse| n × 3  | kg·m², 1/ | throw; about own axes; 0 for statics|            | yes               |
-/// | friction (2), restitution | n |          | throw                               |            | yes               |
-/// | is_static           | n      | 0 or 1    | throw                               |            | yes               |
+/// All bodies, structure of arrays, one row a body in ascending id. A new body is an input too (throw). Hash: s state,
+/// c continuation. (a): part_overlaps, find_fast_contacts, integrate_positions; (b): wake_islands, update_sleeping.
+/// | column                | shape | unit      | method thesis: written by | method layered: written by        | hash |
+/// |-----------------------|-------|-----------|---------------------------|-----------------------------------|------|
+/// | id                    | n     |           | inputs                    | inputs                            | s c  |
+/// | position              | n × 3 | m         | integrate, apply_outcomes | (a), finish_motion                | s c  |
+/// | orientation           | n × 4 | w x y z   | integrate                 | (a), finish_motion                | s c  |
+/// | velocity, spin        | n × 3 | m/s       | integrate, apply_outcomes | find_fast_contacts, finish_motion | s c  |
+/// |                       |       | rad/s     | update_freezing, inputs   | update_sleeping, inputs           | s c  |
+/// | frozen                | n     | 0 or 1    | update_freezing, inputs   | (b), inputs                       | s c  |
+/// | low_energy_time       | n     | s         | update_freezing, inputs   | (b), inputs                       | c    |
+/// | half_extent           | n × 3 | m         | inputs                    | inputs                            | c    |
+/// | mass, inverse         | n     | kg, 1/kg  | inputs; statics inverse 0 | likewise                          | c    |
+/// | inertia, inverse      | n × 3 | kg·m², 1/ | inputs, about own axes    | likewise                          | c    |
+/// | friction, restitution | n     |           | inputs                    | inputs                            | c    |
+/// | is_static             | n     | 0 or 1    | inputs                    | inputs                            | c    |
 ///
 /// Positions lie on PositionGrid, velocities and spins on VelocityGrid; no column ever holds −0.0.
 struct Bodies {
@@ -116,13 +116,18 @@ Hash128 continuation_hash(const WorldState& state);
 /// The version of a method's arithmetic. Every change that moves a bit raises it.
 std::uint32_t method_version(Method method);
 
+/// True of a cube and the like: equal moments of inertia, so free flight leaves the spin as it is.
+inline bool turns_evenly(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
+
 /// Kinetic energy in J of body i, linear and rotational.
 inline double kinetic_energy(const Bodies& bodies, BodyIndex i) {
   const Vec3 v = bodies.velocity[i], w = bodies.spin[i], inertia = bodies.inertia[i];
-  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-  const Vec3 w_B = round ? w : to_body(axes_of(bodies.orientation[i]), w);
+  const Vec3 w_B = turns_evenly(inertia) ? w : to_body(axes_of(bodies.orientation[i]), w);
   return 0.5 * (bodies.mass[i] * dot(v, v) + dot(w_B, w_B.cwiseProduct(inertia)));
 }
+
+/// Likewise per kilogram, J/kg: what thresholds of freezing compare.
+inline double energy_per_mass(const Bodies& bodies, BodyIndex i) { return kinetic_energy(bodies, i) / bodies.mass[i]; }
 
 /// Energies of all bodies, J; potential is −m g·x, statics count nothing. Summed in row order.
 struct Energy {

@@ -9,7 +9,7 @@ namespace tumble::fuzz {
 
 inline constexpr std::uint64_t kStepsSimulated = 64;  ///< enough to come through every phase
 
-/// Whether steps of this log are simulated in a moment: few bodies and sub-steps, and more are more of the same.
+/// Whether steps of this log are simulated in a moment: few bodies and substeps, and more are more of the same.
 bool takes_a_moment(const replay::LogReader& log);
 
 /// Opens a log, if it is one, and does with it all that a program may: reads every step, verifies, recovers, measures,

@@ -29,7 +29,7 @@ struct Stretch {
 };
 
 /// Piles at rest, a tower, a grid whose rows land and fall apart, a tumble, thrown things that wake what sleeps, thin
-/// plates with bars; each with one sub-step and with several.
+/// plates with bars; each with one substep and with several.
 std::vector<Stretch> stretches() {
   SceneDef awake = test::pile(3), heap = test::pile(3), hit = test::wall(3, 4), grid = test::tilted_grid(6);
   awake.world.freezing = false;
@@ -98,7 +98,7 @@ void expect_none(const Stretch& stretch, Method method, Observer* observer, Work
 void expect_none_in_all(Method method, Observer* observer, Workers* workers) {
   for (const Stretch& stretch : stretches()) {
     if (workers != nullptr && stretch.scene.world.substeps > 1) continue;  // takes long where processors are shared
-    SCOPED_TRACE(std::string(stretch.name) + ", sub-steps: " + std::to_string(stretch.scene.world.substeps));
+    SCOPED_TRACE(std::string(stretch.name) + ", substeps: " + std::to_string(stretch.scene.world.substeps));
     expect_none(stretch, method, observer, workers);
   }
 }

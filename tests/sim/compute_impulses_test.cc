@@ -152,8 +152,8 @@ TEST(Friction, SlowSlipIsBoundByTheStaticCoefficient) {
 }
 
 // 1 kg on a slope, put there at rest: 0.03 m/s of slip and 0.05 m/s of approach are what gravity has added in this
-// sub-step. Friction 0.7 holds the slip, although it is above slip_speed; 0.5 does not, so the dynamic coefficient
-// counts from the first sub-step on.
+// substep. Friction 0.7 holds the slip, although it is above slip_speed; 0.5 does not, so the dynamic coefficient
+// counts from the first substep on.
 TEST(Friction, StaticFrictionIsJudgedBeforeGravity) {
   ContactBody resting = point_mass(1, {-0.05, 0.03, 0});
   resting.gained = resting.velocity;

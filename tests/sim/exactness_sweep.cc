@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   }
   const tumble::sim::Method method = name == "thesis" ? tumble::sim::Method::kThesis : tumble::sim::Method::kLayered;
   try {
-    std::printf("| method | cubes | dt s | sub-steps | lateral m | column spread m | lowest centre m | CPU s |\n");
+    std::printf("| method | cubes | dt s | substeps | lateral m | column spread m | lowest centre m | CPU s |\n");
     std::printf("|---|---|---|---|---|---|---|---|\n");
     bool exact = true;
     for (const std::uint32_t n : numbers(argv[2])) {

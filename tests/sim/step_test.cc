@@ -1,4 +1,4 @@
-// The step: phases, sub-step recursion (thesis V.A), observers, and the errors that stop it.
+// The step: phases, substep recursion (thesis V.A), observers, and the errors that stop it.
 #include "tumble/sim/step.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class Witness : public sim::Observer {
     if (phase == 0) heights.push_back(world.bodies().position.z[0]);
     contacts.push_back(world.scratch().contacts.size());
   }
-  // Each sub-step tells of every phase, once, in order, and so do the sub-steps.
+  // Each substep tells of every phase, once, in order, and so do the substeps.
   [[nodiscard]] bool in_order(std::uint32_t substeps) const {
     const std::size_t phases = sim::phase_table(Method::kThesis).phases.size();
     if (calls.size() != substeps * phases) return false;
@@ -46,7 +46,7 @@ class Witness : public sim::Observer {
   std::vector<std::size_t> contacts;
 };
 
-// Cubes resting on the ground: each collides in every sub-step, for gravity pulls it in again.
+// Cubes resting on the ground: each collides in every substep, for gravity pulls it in again.
 SceneDef resting(std::uint32_t count, std::uint32_t substeps, std::uint32_t split) {
   SceneDef scene = on_ground();
   scene.world.substeps = substeps;
@@ -80,7 +80,7 @@ TEST(Substeps, OneCollisionMoreThanTheLimitHalvesTheStep) {
   EXPECT_EQ(substeps_of(resting(1, 2, 0)), 2U);
 }
 
-// floor(log2(substeps)) halvings at most: 2 to that power sub-steps.
+// floor(log2(substeps)) halvings at most: 2 to that power substeps.
 TEST(Substeps, RecursionEndsAtTheDepthOfTheScene) {
   for (const auto& [limit, wanted] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
            {1, 1}, {2, 2}, {3, 2}, {4, 4}, {7, 4}, {8, 8}, {40, 32}, {200, 128}, {1024, 1024}}) {
@@ -107,7 +107,7 @@ TEST(Substeps, OnlyTheHalvesThatCollideAreHalvedAgain) {
   EXPECT_NEAR(witness.heights[2], 0.59 - 0.1, 1e-10);
   EXPECT_EQ(witness.contacts.front(), 0U);
   EXPECT_EQ(witness.contacts.back(), 1U);
-  EXPECT_EQ(counters.contacts, 1U) << "those of rejected sub-steps do not count";
+  EXPECT_EQ(counters.contacts, 1U) << "those of rejected substeps do not count";
 }
 
 // A step that is halved leaves exactly what two steps of half the size leave: a rejected trial has no trace. Uneven
@@ -216,7 +216,7 @@ TEST(StepErrors, ValuesThatAreNotFiniteStopTheStep) {
   }
 }
 
-// The hashes of a step's phases: one word a phase and sub-step, the same for the same step, others when one bit moves.
+// The hashes of a step's phases: one word a phase and substep, the same for the same step, others when one bit moves.
 TEST(PhaseHashes, TellPhasesAndBitsApart) {
   const auto words = [](double nudge) {
     SceneDef scene = pile(3);
@@ -235,8 +235,8 @@ TEST(PhaseHashes, TellPhasesAndBitsApart) {
   EXPECT_NE(one[0], other[0]) << "integrate moved a bit";
 }
 
-// A resting cube keeps the step at 64 sub-steps; another one lands in the second half of them, hard or softly. The rows
-// before are alike, the last one, into which sub-steps 16 to 64 are folded, still tells.
+// A resting cube keeps the step at 64 substeps; another one lands in the second half of them, hard or softly. The rows
+// before are alike, the last one, into which substeps 16 to 64 are folded, still tells.
 TEST(PhaseHashes, SubstepsBeyondTheLastRowAreFoldedIntoIt) {
   const auto words = [](double restitution) {
     SceneDef scene = resting(2, 64, 0);

@@ -8,15 +8,15 @@
 namespace tumble::test {
 namespace {
 
-// Larger grids and 40 and 200 sub-steps take longer than a test may; tools/scripts/checks/exactness.sh runs them.
+// Larger grids and 40 and 200 substeps take longer than a test may; tools/scripts/checks/exactness.sh runs them.
 class TiltedGrid : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(TiltedGrid, EndsWithoutLateralErrorAndColumnSpread) {
   for (const double dt : {1.0 / 30, 1.0 / 300}) {
     for (const std::uint32_t substeps : {1U, 4U, 10U}) {
       const SymmetryError error = tilted_grid_error(sim::Method::kThesis, GetParam(), dt, substeps);
-      EXPECT_EQ(error.lateral, 0) << "dt " << dt << ", sub-steps " << substeps;
-      EXPECT_EQ(error.column_spread, 0) << "dt " << dt << ", sub-steps " << substeps;
+      EXPECT_EQ(error.lateral, 0) << "dt " << dt << ", substeps " << substeps;
+      EXPECT_EQ(error.column_spread, 0) << "dt " << dt << ", substeps " << substeps;
       EXPECT_GT(error.lowest, 0) << "a cube has fallen through the ground";
       EXPECT_GT(error.travelled, 0.5) << "nothing has happened";
     }

@@ -7,15 +7,6 @@
 namespace tumble::sim {
 namespace {
 
-std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
-  const BodyIndex a = memory.a[k], b = memory.b[k];
-  return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
-}
-
-std::size_t points_before(const ContactMemory& memory, std::size_t k) {
-  return std::accumulate(memory.count.begin(), memory.count.begin() + static_cast<std::ptrdiff_t>(k), std::size_t{0});
-}
-
 // A cursor over the contacts [at, end) of a memory and their points.
 struct Cursor {
   Cursor(const ContactMemory& of, std::size_t begin, std::size_t end_of)
@@ -39,20 +30,6 @@ struct Cursor {
   const ContactMemory& memory;
   std::size_t at, end, point;
 };
-
-// The first contact of a pair that is not before `key`.
-std::size_t place_of(const ContactMemory& memory, const std::pair<BodyIndex, BodyIndex>& key) {
-  std::size_t low = 0, high = memory.size();
-  while (low < high) {
-    const std::size_t middle = std::midpoint(low, high);
-    if (key_of(memory, middle) < key) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
-}
 
 void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactMemory& memory, std::size_t at,
               std::size_t point) {
@@ -80,6 +57,23 @@ void make_room(ContactMemory& memory, std::size_t contacts, std::size_t points) 
 
 }  // namespace
 
+std::size_t contacts_before(const ContactMemory& memory, const ContactPair& pair) {
+  std::size_t low = 0, high = memory.size();
+  while (low < high) {
+    const std::size_t middle = std::midpoint(low, high);
+    if (pair_of(memory, middle) < pair) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+std::size_t points_before(const ContactMemory& memory, std::size_t k) {
+  return std::accumulate(memory.count.begin(), memory.count.begin() + static_cast<std::ptrdiff_t>(k), std::size_t{0});
+}
+
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
                        ContactMemory& memory) {
   memory.count.resize(manifolds.size());
@@ -101,12 +95,12 @@ void merge_contacts(ContactMemory& memory, const ContactMemory& added, Workers* 
   make_room(merged, memory.size() + added.size(), memory.feature.size() + added.feature.size());
   for_ranges(workers, memory.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     const auto place = [&](std::size_t k) {
-      return k < memory.size() ? place_of(added, key_of(memory, k)) : added.size();
+      return k < memory.size() ? contacts_before(added, pair_of(memory, k)) : added.size();
     };
     Cursor old(memory, begin, end), fresh(added, begin == 0 ? 0 : place(begin), place(end));
     std::size_t point = old.point + fresh.point;
     for (std::size_t row = old.at + fresh.at; !old.done() || !fresh.done(); ++row) {
-      const bool take_old = fresh.done() || (!old.done() && key_of(memory, old.at) <= key_of(added, fresh.at));
+      const bool take_old = fresh.done() || (!old.done() && pair_of(memory, old.at) <= pair_of(added, fresh.at));
       (take_old ? old : fresh).copy_to(merged, row, point);
     }
   });

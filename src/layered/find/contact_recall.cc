@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "src/layered/find/contact_memory.h"
+
 namespace tumble::sim {
 namespace {
-
-using Pair = std::pair<BodyIndex, BodyIndex>;
-
-Pair pair_of(BodyIndex a, BodyIndex b) {
-  return a == kGround ? Pair(b, kGround) : Pair(std::min(a, b), std::max(a, b));
-}
 
 void take_friction(Manifold& m, const ContactMemory& memory, std::size_t k, double sign) {
   const Vec3 force = memory.friction[k] * sign;
@@ -29,34 +25,24 @@ void take_impulses(std::span<ManifoldPoint> points, const ContactMemory& memory,
 
 }  // namespace
 
-ContactRecall::ContactRecall(const ContactMemory& memory, BodyIndex first) : memory_(memory) {
-  std::size_t end = memory.size();
-  while (cursor_ < end) {
-    const std::size_t middle = cursor_ + (end - cursor_) / 2;
-    if (pair_of(memory.a[middle], memory.b[middle]).first < first) {
-      cursor_ = middle + 1;
-    } else {
-      end = middle;
-    }
-  }
-  for (std::size_t k = 0; k < cursor_; ++k) point_ += memory.count[k];
-}
+ContactRecall::ContactRecall(const ContactMemory& memory, BodyIndex first)
+    : memory_(memory), cursor_(contacts_before(memory, {first, 0})), point_(points_before(memory, cursor_)) {}
 
 // The entries of a pair: several where reference bodies or faces tie.
 std::pair<std::size_t, std::size_t> ContactRecall::entries(BodyIndex lo, BodyIndex hi) {
-  const Pair wanted(lo, hi);
-  while (cursor_ < memory_.size() && pair_of(memory_.a[cursor_], memory_.b[cursor_]) < wanted) {
+  const ContactPair wanted(lo, hi);
+  while (cursor_ < memory_.size() && pair_of(memory_, cursor_) < wanted) {
     point_ += memory_.count[cursor_];
     ++cursor_;
   }
   std::size_t end = cursor_;
-  while (end < memory_.size() && pair_of(memory_.a[end], memory_.b[end]) == wanted) ++end;
+  while (end < memory_.size() && pair_of(memory_, end) == wanted) ++end;
   return {cursor_, end};
 }
 
 void ContactRecall::warm_start(Manifold& m, std::span<ManifoldPoint> points) {
-  const Pair pair = pair_of(m.a, m.b);
-  const auto [begin, end] = entries(pair.first, pair.second);
+  const auto [lo, hi] = pair_of(m.a, m.b);
+  const auto [begin, end] = entries(lo, hi);
   std::size_t own = 0;
   for (std::size_t k = begin; k < end; ++k) own += memory_.a[k] == m.a ? 1U : 0U;
   std::size_t point = point_;

@@ -13,7 +13,7 @@ namespace tumble::sim {
 class ContactRecall {
  public:
   /// Starts at the pairs whose lower row is `first` or higher.
-  explicit ContactRecall(const ContactMemory& memory, BodyIndex first);
+  ContactRecall(const ContactMemory& memory, BodyIndex first);
 
   /// Gives a new manifold the remembered impulses of points with equal features, and the remembered friction.
   void warm_start(Manifold& manifold, std::span<ManifoldPoint> points);
@@ -25,7 +25,7 @@ class ContactRecall {
   std::pair<std::size_t, std::size_t> entries(BodyIndex lo, BodyIndex hi);
 
   const ContactMemory& memory_;
-  std::size_t cursor_ = 0, point_ = 0;  // the next entry, and its first point
+  std::size_t cursor_, point_;  // the next entry, and its first point
 };
 
 }  // namespace tumble::sim

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/layered/find/build_manifolds.h"
+#include "src/layered/find/contact_memory.h"
 #include "src/layered/find/join_lists.h"
 #include "src/world/hash_on_the_way.h"
 #include "src/world/manifold_hashes.h"
@@ -40,8 +41,7 @@ void swap_first(Scratch& scratch) {
 // Marks the bodies that a contact pressed at the end of the last step.
 void mark_held(const ContactMemory& memory, Workers* workers, std::vector<std::uint8_t>& held) {
   for_ranges(workers, memory.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
-    std::size_t point = 0;
-    for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
+    std::size_t point = points_before(memory, begin);
     for (std::size_t k = begin; k < end; ++k) {
       bool pressed = false;
       for (const std::size_t past = point + memory.count[k]; point < past; ++point)

@@ -17,10 +17,6 @@ static_assert(std::is_standard_layout_v<BoxFrame> && sizeof(BoxFrame) == 15 * si
 constexpr double kFarPart = 0.02;  // of the smallest half extent; above both preferences and the tolerance of points
 static_assert(kFarPart > kEdgePreference + kFacePreference);
 
-BestAxes best_of(const BoxTests::Best& best, std::size_t k) {
-  return {static_cast<AxisSet>(best.axes[k]), best.separation[k]};
-}
-
 // The largest separation along faces of both boxes.
 double face_separation(const BoxTests& tests, std::size_t k) {
   return larger_separation(best_of(tests.faces_of_a, k), best_of(tests.faces_of_b, k));

@@ -16,9 +16,6 @@ namespace tumble::sim {
 inline constexpr double kContactSlack = 0.01;
 inline constexpr double kContactSlackPart = 0.05;
 
-inline double smallest_half_extent(const BoxFrame& a, const BoxFrame& b) {
-  return std::min(a.half_extent.minCoeff(), b.half_extent.minCoeff());
-}
 /// The slack of boxes with this smallest half extent, m.
 inline double slack_of(double smallest) { return std::min(kContactSlack, kContactSlackPart * smallest); }
 

@@ -17,7 +17,7 @@ inline void set_inverse_inertia(SolverBody& body, const Axes& axes, const Vec3& 
     const auto part = [&](int k) { return axes[k][row] * axes[k][column] * principal[k]; };
     return (part(0) + part(1)) + part(2);
   };
-  if (principal.x() == principal.y() && principal.y() == principal.z()) {
+  if (turns_evenly(principal)) {
     for (double& value : body.inverse_inertia) value = 0;
     body.inverse_inertia[0] = body.inverse_inertia[3] = body.inverse_inertia[5] = principal.x();
     return;

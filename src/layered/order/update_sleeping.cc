@@ -12,8 +12,6 @@ namespace {
 // 1e-5 rad; a body at rest gains and loses a thousandth of it, by rounding.
 constexpr double kSpeedingUp = 1e-5;
 
-double energy_per_mass(const Bodies& bodies, BodyIndex i) { return kinetic_energy(bodies, i) / bodies.mass[i]; }
-
 // m/s, of a body that has that energy per kilogram and does not turn.
 double speed_of(double energy_per_kg) { return std::sqrt(2 * energy_per_kg); }
 

@@ -101,7 +101,7 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch) {
       if (fast.marked[i] == 0) continue;
       fast.bodies[at] = fast_body_of(bodies, i);
       fast.place[i] = at++;
-      if (bodies.moves(i) && scratch.in_contact[i] == 0) scratch.in_contact[i] = kInFastPair;
+      if (bodies.moves(i) && scratch.in_contact[i] == kFree) scratch.in_contact[i] = kInFastPair;
     }
   });
 }
@@ -134,7 +134,7 @@ void release_untouched(WorldState& state, Scratch& scratch) {
   Bodies& bodies = state.bodies;
   for_fast_bodies(scratch, [&](const FastBody& body) {
     if (body.pressed || scratch.in_contact[body.row] != kInFastPair) return;
-    scratch.in_contact[body.row] = 0;
+    scratch.in_contact[body.row] = kFree;
     bodies.position.set(body.row, body.position);
     bodies.orientation.set(body.row, body.orientation);
     bodies.velocity.set(body.row, body.velocity);

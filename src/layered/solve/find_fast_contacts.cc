@@ -165,7 +165,7 @@ Touching touching_points(const Bodies& bodies, const ManifoldList& found, const 
   const Vec3 u = (bodies.velocity[m.b] - va) - cross(wa, m.d), w = bodies.spin[m.b] - wa;
   const double un = dot(u, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
   Touching touching;
-  for (const ManifoldPoint& point : std::span(found.points).subspan(m.first, m.count)) {
+  for (const ManifoldPoint& point : points_of(found, m)) {
     if (point.separation > kMet) continue;
     touching.any = true;
     touching.bounces |= un + (w1 * point.q - w2 * point.p) <= -kFastBounceMin;

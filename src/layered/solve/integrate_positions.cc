@@ -19,9 +19,6 @@
 namespace tumble::sim {
 namespace {
 
-// A value of in_contact: a body whose motion the grids do not hold.
-constexpr std::uint8_t kBeyond = 2;
-
 constexpr double kStiff = 0.002;  // rad in a substep; below, the inverse inertia is not computed anew
 constexpr double kStale = 0.1;    // by what part turning may change the response of a contact; Jacobi passes bear 0.1
 
@@ -33,7 +30,7 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   const Rotation rotation = rotate_freely(bodies.orientation[i], body.spin, inertia, inverse, substep_s);
   bodies.orientation.set(i, rotation.orientation);
   const double turned_squared = dot(body.spin, body.spin) * (substep_s * substep_s);
-  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return;
+  if (turns_evenly(inertia)) return;
   body.spin = rotation.spin;
   if (turned_squared > kStiff * kStiff) {
     set_inertia(body, bodies, scratch, i, axes_of(rotation.orientation));
@@ -134,9 +131,8 @@ void add_moved(const Bodies& bodies, const Scratch& scratch, std::size_t begin, 
     if (scratch.in_contact[i] == 0) continue;
     numbers.add(bodies.position[i]);
     numbers.add(bodies.orientation[i]);
-    const Vec3 inertia = bodies.inertia[i];
-    const bool even = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-    if (!even || fast_body(scratch, i) != nullptr) numbers.add(doubles_of(scratch.solver_bodies, i, i + 1));
+    if (!turns_evenly(bodies.inertia[i]) || fast_body(scratch, i) != nullptr)
+      numbers.add(doubles_of(scratch.solver_bodies, i, i + 1));
   }
 }
 

@@ -80,7 +80,7 @@ void pay(const WorldState& state, SolverBody& body, BodyIndex i, const Vec3& pat
   const Vec3& gravity = state.def.gravity;
   if (dot(gravity, path) >= 0) return;
   const LiftCost cost = pay_for_lift(body.velocity, path, gravity, gravity / -length(gravity));
-  const double left = kinetic_energy(state.bodies, i) / state.bodies.mass[i] - cost.removed;  // J/kg
+  const double left = energy_per_mass(state.bodies, i) - cost.removed;  // J/kg
   const double part = cost.unpaid < left ? std::sqrt(1 - cost.unpaid / left) : 0;
   body.velocity = VelocityGrid::round_any(Vec3(cost.velocity * part));
   body.spin = VelocityGrid::round_any(Vec3(body.spin * part));

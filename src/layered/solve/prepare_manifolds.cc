@@ -51,7 +51,8 @@ void find_in_contact(WorldState& state, Scratch& scratch) {
   scratch.in_contact.resize(bodies.size());
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-      scratch.in_contact[i] = bodies.moves(i) && scratch.graph.start[i] < scratch.graph.start[i + 1] ? 1 : 0;
+      scratch.in_contact[i] =
+          bodies.moves(i) && scratch.graph.start[i] < scratch.graph.start[i + 1] ? kInContact : kFree;
     }
   });
 }
