@@ -13,7 +13,7 @@
 namespace tumble::replay {
 namespace {
 
-constexpr double kTouching = 1e-3;            // m, how far apart things that lie on one another may start
+constexpr double kLyingOn = 1e-3;             // m, how far apart things that lie on one another may start
 constexpr double kThesisRatio = 50;           // in substeps of kThesisSubstep
 constexpr double kThesisSubstep = 1.0 / 480;  // s
 constexpr double kTinyEdge = 1.5e-3, kTinyRatio = 1e7;
@@ -43,9 +43,9 @@ bool StartLoads::presses(std::size_t heavy, std::size_t light) const {
   const double size = sim::length(world_.gravity);
   if (!(size > 0)) return false;
   sim::BoxFrame moved = boxes_[heavy];
-  moved.position = moved.position + world_.gravity * (kTouching / size);
+  moved.position = moved.position + world_.gravity * (kLyingOn / size);
   const double after = separation_of(moved, boxes_[light]);
-  return after < 0 && separation_of(boxes_[heavy], boxes_[light]) - after >= kTouching / 2;
+  return after < 0 && separation_of(boxes_[heavy], boxes_[light]) - after >= kLyingOn / 2;
 }
 
 void StartLoads::look_at(std::size_t i, std::size_t j) {

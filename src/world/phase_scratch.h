@@ -53,7 +53,8 @@ struct Turns {
 };
 
 /// How two bodies move at their collision point before all collisions, whatever parts of their masses collide.
-struct Encounter {
+/// Rows that a kernel reads as doubles, also where a machine would align these to four bytes.
+struct alignas(sizeof(double)) Encounter {
   Vec3 relative = Vec3::Zero();  ///< m/s, of b's point
   Vec3 tangent = Vec3::Zero();   ///< unit, along the slip; zero without slip
   Turns by_normal, by_tangent;   ///< of unit impulses
