@@ -109,10 +109,10 @@ std::string engine_hash(const EngineProject& project) {
   Hasher hasher;
   bool any = false;
   for (std::size_t k = 0; words.ok() && k < words->size(); ++k) {
-    add_text(hasher, (*words)[k]);
     const fs::path file = file_of_word((*words)[k], project.folder, k == 0);
     if (file.empty()) continue;
     any = true;
+    add_text(hasher, (*words)[k]);
     add_file(hasher, file);
   }
   add_text(hasher, kIntegratorNames[static_cast<std::size_t>(project.integrator)]);

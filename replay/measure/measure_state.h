@@ -163,7 +163,7 @@ class StateMeter {
   void find_not_finite(const BodyStates& now, std::uint64_t step);
   void measure_place(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
   void measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
-  void lose(Body& body, std::optional<sim::Vec3> place);
+  void lose(Body& body, const std::optional<sim::Vec3>& place);
   void compare_with_start(const Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) const;
   void widen_grid_row(const Body& body, const sim::Vec3& position);
   [[nodiscard]] std::optional<double> column_spread() const;

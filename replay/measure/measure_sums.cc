@@ -24,7 +24,7 @@ double kinetic_of(const sim::BoxDef& box, const Vec3& inertia, const BodyStates&
 
 }  // namespace
 
-void StateMeter::lose(Body& body, std::optional<Vec3> place) {
+void StateMeter::lose(Body& body, const std::optional<Vec3>& place) {
   if (!body.measured || std::exchange(body.lost, true)) return;
   ++lost_;
   if (!first_lost_) first_lost_ = FirstLost{body.box.id, step_, place};

@@ -61,7 +61,7 @@ void StartLoads::look_at(std::size_t i, std::size_t j) {
 }
 
 std::string StartLoads::remedy() const {
-  const std::string masses = "bring the masses closer together, or make one of the two static";
+  std::string masses = "bring the masses closer together, or make one of the two static";
   if (world_.method != sim::Method::kThesis) return masses;
   for (std::uint32_t substeps = std::bit_floor(world_.substeps) * 2; substeps <= sim::kSubstepsMax; substeps *= 2) {
     if (thesis_ratio(substeps) >= times_)

@@ -67,6 +67,8 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_9_layered",
                            "format_1.3_methods_7_thesis",
                            "format_1.3_methods_10_layered",
+                           "format_1.3_methods_11_layered",
+                           "format_1.3_methods_12_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_8_thesis",
@@ -111,7 +113,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_11_layered"}) {
+  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_12_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }
@@ -123,9 +125,12 @@ TEST(OlderLogs, OfAVersionWhoseStatesAreTheSameReplayAlikeWithANote) {
     ASSERT_FALSE(notes.empty()) << name;
     EXPECT_TRUE(notes.front().starts_with(method_version_note(5))) << notes.front();
   }
-  const std::vector<std::string> notes = notes_of_same_replay("format_1.3_methods_10_layered");
-  ASSERT_FALSE(notes.empty());
-  EXPECT_TRUE(notes.front().starts_with(method_version_note(10))) << notes.front();
+  for (const int version : {10, 11}) {
+    const std::vector<std::string> notes =
+        notes_of_same_replay("format_1.3_methods_" + std::to_string(version) + "_layered");
+    ASSERT_FALSE(notes.empty()) << version;
+    EXPECT_TRUE(notes.front().starts_with(method_version_note(version))) << notes.front();
+  }
 }
 
 // Up to format 1.2 phase hashes left out some of what a phase wrote.

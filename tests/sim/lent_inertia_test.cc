@@ -169,7 +169,7 @@ TEST(LentInertia, ALightPlankIsKnockedOutFromUnderAHeavyCrate) {
 }
 
 // How far the light box is pressed into the ground, m, and the heavy one into it.
-double crushed(SceneDef scene) {
+double crushed(const SceneDef& scene) {
   World world = made(scene);
   double most = 0;
   for (int step = 0; step < 90; ++step) {

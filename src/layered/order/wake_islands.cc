@@ -72,7 +72,7 @@ Status wake_islands(WorldState& state, Scratch& scratch, double dt_s) {
     bodies.frozen[i] = 0;
     bodies.low_energy_time[i] = 0;
   }
-  const Status found = find_manifolds(state, scratch, dt_s);
+  Status found = find_manifolds(state, scratch, dt_s);
   disturbed.clear();
   return found;
 }
