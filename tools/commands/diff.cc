@@ -175,6 +175,22 @@ Result<Exit> diff(const DiffCommand& options) {
   return judge("diff", *b, judge("diff", *a, *verdict));
 }
 
+// The options of --zoom, which excludes --step.
+void declare_zoom(Arguments& arguments, DiffCommand& options, const Argument& step) {
+  const Argument zoom =
+      arguments
+          .flag("--zoom", options.zoom,
+                "Also compute the first different step again in both builds, with probes, and name the first line of "
+                "their sources with another value (docs/zoom.md)")
+          .excludes(step);
+  arguments
+      .option("--engine-a", "ENGINE", options.programs.a,
+              "The build that computed A, for --zoom: a folder with a tumble.toml, or a command line with {log}; of a "
+              "log of ours a program tumble. If not given: the nearest tumble.toml, or this program")
+      .needs(zoom);
+  arguments.option("--engine-b", "ENGINE", options.programs.b, "The build that computed B, likewise").needs(zoom);
+}
+
 }  // namespace
 
 Action declare_diff(Arguments& arguments) {
@@ -222,18 +238,7 @@ Action declare_diff(Arguments& arguments) {
       .flag("--shared", options->shared,
             "Judge only what both logs have: a channel that one log alone has is named, and no difference")
       .excludes(step);
-  const Argument zoom =
-      arguments
-          .flag("--zoom", options->zoom,
-                "Also compute the first different step again in both builds, with probes, and name the first line of "
-                "their sources with another value (docs/zoom.md)")
-          .excludes(step);
-  arguments
-      .option("--engine-a", "ENGINE", options->programs.a,
-              "The build that computed A, for --zoom: a folder with a tumble.toml, or a command line with {log}; of a "
-              "log of ours a program tumble. If not given: the nearest tumble.toml, or this program")
-      .needs(zoom);
-  arguments.option("--engine-b", "ENGINE", options->programs.b, "The build that computed B, likewise").needs(zoom);
+  declare_zoom(arguments, *options, step);
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 the same, 1 a difference, 3 a log is torn (the intact part is compared), damaged, or broken:\n"
