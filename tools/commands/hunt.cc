@@ -193,6 +193,22 @@ void exclude_all(const Argument& argument, std::initializer_list<Argument> other
   for (const Argument& other : others) argument.excludes(other);
 }
 
+constexpr const char* kFooter =
+    "Exit status: 0 no scene broke a relation, of an engine none that it claims, or no scene of --count is the\n"
+    "shard's; 1 findings; 2 bad usage, a folder of another hunt, or a shard that is missing, there twice or not at "
+    "its\n"
+    "end; 3 a damaged folder or shard; 4 could not finish, judged nothing, was interrupted, or tumble's own judge\n"
+    "ended over a scene; the folder then holds what was judged.\n\n"
+    "Examples:\n"
+    "  tumble hunt --time 600 --folder hunt\n"
+    "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
+    "  tumble hunt --seed 7 --print 123 >scene.toml\n"
+    "  tumble hunt --count 500 --against old/tumble\n"
+    "  tumble hunt --count 500 --against old/tumble --within bounds --within overlap_peak=0.01+10%\n"
+    "  tumble hunt --time 60 --corpus corpus && tumble hunt --judge corpus\n"
+    "  tumble hunt --count 20000 --shard 1/4 --folder hunt-1\n"
+    "  tumble hunt --merge hunt-1 --merge hunt-2 --merge hunt-3 --merge hunt-4 --folder hunt";
+
 }  // namespace
 
 Action declare_hunt(Arguments& arguments) {
@@ -253,21 +269,7 @@ Action declare_hunt(Arguments& arguments) {
   exclude_all(judge, {seed, count, time, shard, folder, corpus, merge, print, unshrunk, shrink});
   exclude_all(merge, {seed, count, time, shard, relation, against, within, engine, print, unshrunk, shrink});
   arguments.json(options->json);
-  arguments.footer(
-      "Exit status: 0 no scene broke a relation, of an engine none that it claims, or no scene of --count is the\n"
-      "shard's; 1 findings; 2 bad usage, a folder of another hunt, or a shard that is missing, there twice or not at "
-      "its\n"
-      "end; 3 a damaged folder or shard; 4 could not finish, judged nothing, was interrupted, or tumble's own judge\n"
-      "ended over a scene; the folder then holds what was judged.\n\n"
-      "Examples:\n"
-      "  tumble hunt --time 600 --folder hunt\n"
-      "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
-      "  tumble hunt --seed 7 --print 123 >scene.toml\n"
-      "  tumble hunt --count 500 --against old/tumble\n"
-      "  tumble hunt --count 500 --against old/tumble --within bounds --within overlap_peak=0.01+10%\n"
-      "  tumble hunt --time 60 --corpus corpus && tumble hunt --judge corpus\n"
-      "  tumble hunt --count 20000 --shard 1/4 --folder hunt-1\n"
-      "  tumble hunt --merge hunt-1 --merge hunt-2 --merge hunt-3 --merge hunt-4 --folder hunt");
+  arguments.footer(kFooter);
   return [options] { return hunt_for(*options); };
 }
 
