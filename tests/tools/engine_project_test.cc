@@ -194,7 +194,7 @@ TEST(EngineCase, FilesThatNothingReadsAndCasesWithoutFilesAreMistakes) {
   write_case(shop, "files = [\"mesh.obj\", 3]\n");
   EXPECT_TRUE(says(shop.run({"check", "--report", "r"}).out, "[engine] key \"files\": found"));
   shop.write("golden/cases/stack/metrics.toml", std::string("[engine]\ncategory = \"x\"\n") + kMetric);
-  EXPECT_TRUE(says(shop.run({"check", "--report", "r"}).out, "the case's input files"));
+  EXPECT_TRUE(says(shop.run({"check", "--report", "r"}).out, "its input files: scene, inputs, or files"));
   std::system(("rm '" + shop.path("tumble.toml") + "'").c_str());
   write_case(shop, "files = [\"mesh.obj\"]\n");
   const Outcome none = shop.run({"check", "--report", "r"});
