@@ -141,9 +141,21 @@ constexpr std::array kKnown = {
         "12 blur 2, light 3 -4 30 to 1 2 3, textures 112"},
     KnownScene{"keys that a scene leaves out mean what they meant", "[[box]]\n", "a57d13e3a8dd46f9, 1 body, 0 inputs"},
     KnownScene{"inputs mean what they meant without the keys that they may leave out",
-               "[[box]]\n[[input]]\nkind = \"throw\"\nstep = 1\n[[input]]\nkind = \"push\"\nstep = 2\nid = 1\nimpulse "
-               "= [1, 2, "
-               "3]\n[[input]]\nkind = \"set_velocity\"\nstep = 3\nid = 1\nvelocity = [1, 2, 3]\n",
+               R"([[box]]
+[[input]]
+kind = "throw"
+step = 1
+[[input]]
+kind = "push"
+step = 2
+id = 1
+impulse = [1, 2, 3]
+[[input]]
+kind = "set_velocity"
+step = 3
+id = 1
+velocity = [1, 2, 3]
+)",
                "874131dcc04c3e64, 1 body, 3 inputs"},
     KnownScene{"a grid stands where it stood", "[[grid]]\n", "26785302db96d6e9, 400 bodies, 0 inputs"},
     KnownScene{

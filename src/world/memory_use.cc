@@ -98,9 +98,9 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
       {"levels, islands and sleep", GrowsWith::kBodies,
        held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies, s.waves.start,
                w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck,
-               w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.wakes,
-               s.sleeping.touching, s.sleeping.least, s.sleeping.restless, s.sleeping.held, s.sleeping.together,
-               s.sleeping.energy_before, s.sleeping.liveliest_before, s.sleeping.liveliest)});
+               w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.woken,
+               s.waking.wakes, s.sleeping.touching, s.sleeping.least, s.sleeping.restless, s.sleeping.held,
+               s.sleeping.together, s.sleeping.energy_before, s.sleeping.liveliest_before, s.sleeping.liveliest)});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

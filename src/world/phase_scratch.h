@@ -105,7 +105,8 @@ struct FreezeScratch {
 
 /// Memory of wake_islands.
 struct WakeScratch {
-  std::vector<BodyIndex> disturbed;  ///< sleepers that a lively body is about to touch; then all that woke
+  std::vector<BodyIndex> disturbed;  ///< sleepers that a lively body is about to touch
+  std::vector<BodyIndex> woken;      ///< while find_manifolds, which reads them, runs again: all that woke; else empty
   std::vector<std::uint8_t> wakes;   ///< by the body that stands for an island
 };
 

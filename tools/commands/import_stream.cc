@@ -108,8 +108,8 @@ std::string no_table(const std::string& path, const std::string& start) {
   if (start.substr(0, 16).find("tumblestream") != std::string::npos && start.size() >= replay::kStreamMagic.size()) {
     return path +
            ": is a recorder's stream that was copied as text: line ends or bytes beyond 7 bits are other ones now, and "
-           "what "
-           "it held cannot be told; copy the original in binary mode (of git: *.tumblestream binary in .gitattributes)";
+           "what it held cannot be told; copy the original in binary mode (of git: *.tumblestream binary in "
+           ".gitattributes)";
   }
   const std::string_view magic(reinterpret_cast<const char*>(replay::kStreamMagic.data()), replay::kStreamMagic.size());
   if (start.empty() || start.size() >= magic.size() || !magic.starts_with(start)) return "";

@@ -31,13 +31,7 @@ std::string words_of(const ManualEntry& command) {
   return positional == command.arguments.end() ? "" : joined(positional->words, " ");
 }
 
-/// The options whose values are among a few words, as a pattern of bash: "--gl" or "-o|--output".
-std::string either_name(const ArgumentText& option) {
-  std::string text;
-  for (const std::string& name : option.names) text += (text.empty() ? "" : "|") + name;
-  return text;
-}
-
+/// Whether it is an option whose values are among a few words.
 bool has_words(const ArgumentText& argument) { return !argument.positional() && !argument.words.empty(); }
 
 // Text inside single quotes of a shell; zsh also reads colons and brackets in it.
@@ -87,7 +81,7 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
       text += "      case $before in\n";
       for (const ArgumentText& option : command.arguments) {
         if (has_words(option))
-          text += "        " + either_name(option) + ") values='" + joined(option.words, " ") + "' ;;\n";
+          text += "        " + joined(option.names, "|") + ") values='" + joined(option.words, " ") + "' ;;\n";
       }
       text += "      esac\n";
     }

@@ -53,12 +53,6 @@ void mark_held(const ContactMemory& memory, Workers* workers, std::vector<std::u
   });
 }
 
-// What sleeps, or wakes in this step, rests on something. Where it began the session asleep, no impulse tells so.
-void mark_sleepers(const Bodies& bodies, std::span<const BodyIndex> woken, std::vector<std::uint8_t>& held) {
-  for (std::size_t i = 0; i < held.size(); ++i) held[i] |= bodies.frozen[i];
-  for (const BodyIndex i : woken) held[i] = 1;
-}
-
 // Joins the lists of all workers in order of bodies; copies those of all but the first.
 void join(Scratch& scratch, unsigned parts) {
   swap_first(scratch);
@@ -82,9 +76,10 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
   swap_first(scratch);
-  scratch.held.assign(state.bodies.size(), 0);
+  // What sleeps, or wakes in this step, rests on something. Where it began the session asleep, no impulse tells so.
+  scratch.held = state.bodies.frozen;
+  for (const BodyIndex i : scratch.waking.woken) scratch.held[i] = 1;
   mark_held(state.contact_memory, scratch.workers, scratch.held);
-  mark_sleepers(state.bodies, scratch.waking.disturbed, scratch.held);
   for_parts(scratch.workers, parts, [&](unsigned part) {
     build_manifolds(state, scratch, dt_s, first_body(state, part, parts), first_body(state, part + 1, parts),
                     scratch.manifolds_by[part], hasher);

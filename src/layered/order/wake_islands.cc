@@ -54,7 +54,7 @@ void find_disturbed(WorldState& state, Scratch& scratch, double dt_s) {
 Status wake_islands(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.hasher = nullptr;  // find_manifolds would feed it with less than this phase writes
   find_disturbed(state, scratch, dt_s);
-  std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
+  const std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
   scratch.found_again = !disturbed.empty();
   if (disturbed.empty()) return {};
   Bodies& bodies = state.bodies;
@@ -65,15 +65,15 @@ Status wake_islands(WorldState& state, Scratch& scratch, double dt_s) {
   std::vector<std::uint8_t>& wakes = scratch.waking.wakes;
   wakes.assign(bodies.size(), 0);
   for (const BodyIndex i : disturbed) wakes[islands.of(i)] = 1;
-  disturbed.clear();
+  std::vector<BodyIndex>& woken = scratch.waking.woken;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (bodies.frozen[i] == 0 || wakes[islands.of(i)] == 0) continue;
-    disturbed.push_back(i);
+    woken.push_back(i);
     bodies.frozen[i] = 0;
     bodies.low_energy_time[i] = 0;
   }
   Status found = find_manifolds(state, scratch, dt_s);
-  disturbed.clear();
+  woken.clear();
   return found;
 }
 
