@@ -110,7 +110,7 @@ void write_seeds(const fs::path& folder, const std::string& name, const Bytes& l
 void make_seeds(const fs::path& folder) {
   write_seeds(folder, "engine", engine_log());
   for (const sim::Method method : replay::kMethods) {
-    const std::string name = replay::name_of(method);
+    const std::string name = name_of(method);
     write_seeds(folder, name, replay::record_to_memory(replay::scene_with_inputs(12, method), {}, 5));
   }
   write_golden(folder / "codec");
