@@ -24,12 +24,14 @@ double scaled(double length, double metres) { return std::isnan(length) ? length
 
 Vec3 unit_vector(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
 
+Vec3 reflected(const Vec3& v, int up) { return up == 2 ? Vec3(v.x(), -v.y(), v.z()) : Vec3(v.x(), v.y(), -v.z()); }
+
 }  // namespace
 
-// A left-handed engine is reflected in its xy plane first. Then the axes are permuted cyclically until "up" is z, which
-// keeps the handedness; y up needs one sign besides. No value is rounded.
+// A left-handed engine is reflected first, along an axis of its own that lies level: up stays up. Then the axes are
+// permuted cyclically until "up" is z, which keeps the handedness; y up needs one sign besides. No value is rounded.
 Vec3 EngineAxes::direction(const Vec3& v) const {
-  Vec3 right = left_handed ? Vec3(v.x(), v.y(), -v.z()) : v;
+  const Vec3 right = left_handed ? reflected(v, up) : v;
   if (up == 0) return {right.y(), right.z(), right.x()};
   if (up == 1) return {right.x(), -right.z(), right.y()};
   return right;
@@ -39,7 +41,7 @@ Vec3 EngineAxes::their_direction(const Vec3& v) const {
   Vec3 right = v;
   if (up == 0) right = {v.z(), v.x(), v.y()};
   if (up == 1) right = {v.x(), v.z(), -v.y()};
-  return left_handed ? Vec3(right.x(), right.y(), -right.z()) : right;
+  return left_handed ? reflected(right, up) : right;
 }
 
 Vec3 EngineAxes::length(const Vec3& v) const {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdlib>
 
 #include "tests/replay/imported_table.h"
@@ -70,27 +69,6 @@ TEST(ImportCsv, TheLogKeepsAxesUnitAndColumnsPassedOver) {
   Result<LogReader> plain = import(table("# dt: 0.1\n", "0,1,0,1,0,1,0,0,0,0,0,0,0,0,0\n"));
   ASSERT_TRUE(plain.ok()) << plain.error().message;
   EXPECT_FALSE(plain->header().table) << "a table in our axes says nothing more, and its log keeps its bytes";
-}
-
-TEST(ImportCsv, AxesConvertBackToTheBit) {
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  const sim::Vec3 v = {0.1, -0.0, -0.3};
-  for (const bool left : {false, true}) {
-    for (const int up : {0, 1, 2}) {
-      const EngineAxes axes = {up, left, 1};
-      const sim::Vec3 there = axes.their_length(axes.length(v)), spun = axes.their_axial(axes.axial(v));
-      const sim::Quat q = axes.their_turn(axes.turn({0.5, v.x(), v.y(), v.z()}));
-      for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(bits(there[k]), bits(v[k])) << to_string(axes);
-        EXPECT_EQ(bits(spun[k]), bits(v[k])) << to_string(axes);
-        const EngineAxis axis = axes.along(k);
-        EXPECT_EQ(axes.length(v)[k], axis.sign * v[axis.letter - 'x']) << to_string(axes);
-        const EngineAxis about = axes.axial_along(k);
-        EXPECT_EQ(axes.axial(v)[k], about.sign * v[about.letter - 'x']) << to_string(axes);
-      }
-      EXPECT_EQ(bits(q.x), bits(v.x())) << to_string(axes);
-    }
-  }
 }
 
 TEST(ImportCsv, Float32IsReadAsFloat) {

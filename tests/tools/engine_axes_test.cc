@@ -40,6 +40,29 @@ TEST(EngineAxes, EveryCommandNamesOneFieldAlike) {
   for (const ordered_json& field : step["bodies"][0]["fields"]) EXPECT_LT(field["ulps"], 100000) << field;
 }
 
+TEST(EngineAxes, ABodyOnTheGroundIsOnItInAxesOfEitherHand) {
+  const Workshop shop;
+  for (const std::string hand : {"left", "right"}) {
+    for (const std::string up : {"x", "y", "z"}) {
+      std::string rows;
+      for (int k = 0; k < 40; ++k) {
+        const std::string height = std::to_string(300 - 0.04905 * k * k);
+        rows += std::to_string(k) + ",1," + (up == "x" ? height : "0") + "," + (up == "y" ? height : "0") + "," +
+                (up == "z" ? height : "0") + ",1,0,0,0\n";
+      }
+      shop.write("fall.csv", "# up: " + up + "\n# handed: " + hand + "\n# length: cm\n# dt: 0.01\n" +
+                                 "# size: 100 100 100\nstep,id,position.x,position.y,position.z,orientation.w,"
+                                 "orientation.x,orientation.y,orientation.z\n" +
+                                 rows);
+      ASSERT_EQ(shop.run({"import", "fall.csv"}).exit, 0) << up << hand;
+      const ordered_json found = parsed(shop.run({"measure", "fall.tumble", "--json"}));
+      EXPECT_EQ(found["stacking"]["lost"], 0) << up << hand;
+      EXPECT_NEAR(found["stacking"]["top_drop_max"].get<double>(), 74.6, 0.1) << up << hand;
+      EXPECT_EQ(found["stacking"]["ground_penetration_peak"], 0) << up << hand;
+    }
+  }
+}
+
 TEST(EngineAxes, ContactsAreInTheEnginesAxesAndUnit) {
   const Workshop shop;
   for (const int left : {0, 1}) {
