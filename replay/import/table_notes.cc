@@ -82,11 +82,23 @@ void TableNotes::came_back(const std::string& place, sim::BodyId body, std::uint
   });
 }
 
+namespace {
+
+std::string place_of(std::uint64_t step, sim::BodyId a, sim::BodyId b) {
+  return "step " + std::to_string(step) + ", contact of " + std::to_string(a) + " and " +
+         (b == 0 ? "the world" : std::to_string(b)) + ": ";
+}
+
+}  // namespace
+
+void ContactCheck::without_points(std::uint64_t step, sim::BodyId a, sim::BodyId b) {
+  pointless_.add([&] { return place_of(step, a, b) + "has no points, so the log does not hold it"; });
+}
+
 void ContactCheck::add(std::uint64_t step, const std::vector<EngineContact>& contacts) {
   constexpr double kLengthOffMax = 1e-2;
   for (const EngineContact& contact : contacts) {
-    const std::string place = "step " + std::to_string(step) + ", contact of " + std::to_string(contact.a) + " and " +
-                              (contact.b == 0 ? "the world" : std::to_string(contact.b)) + ": ";
+    const std::string place = place_of(step, contact.a, contact.b);
     const double where = contact.position.sum(), normal = sim::length(contact.normal);
     const std::array<std::pair<const char*, double>, 4> numbers = {
         {{"depth", contact.depth}, {"impulse", contact.impulse}, {"position", where}, {"normal", normal}}};

@@ -34,13 +34,16 @@ class FirstOf {
 class ContactCheck {
  public:
   void add(std::uint64_t step, const std::vector<EngineContact>& contacts);
+  void without_points(std::uint64_t step, sim::BodyId a, sim::BodyId b);
   /// "step 3, contact of 1 and 2: depth is nan, and 4 more likewise"; empty without one.
   [[nodiscard]] std::string not_finite() const { return not_finite_.text(); }
   /// "step 3, contact of 1 and 2: the normal has a length of 7, wanted 1".
   [[nodiscard]] std::string no_direction() const { return no_direction_.text(); }
+  /// "step 3, contact of 1 and 2: has no points, so the log does not hold it".
+  [[nodiscard]] std::string pointless() const { return pointless_.text(); }
 
  private:
-  FirstOf not_finite_, no_direction_;
+  FirstOf not_finite_, no_direction_, pointless_;
 };
 
 /// What is odd about a table that can still be imported. Of each kind of oddness the first place is kept, and a count.

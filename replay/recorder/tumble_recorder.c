@@ -256,6 +256,7 @@ struct TumbleRec {
   uint64_t tag; /* hash of the header */
   uint64_t hashes[kClasses];
   uint64_t inputs_told;
+  int notes_told;
   uint32_t phases, phase_rows[kPhasesMax];
   char (*phase_names)[kNameMax + 1];
   double gravity[3];
@@ -658,6 +659,7 @@ static int begin_step_frame(TumbleRec* rec) {
   rec->frame.size += 16;
   rec->group = 0;
   rec->inputs_told = 0;
+  rec->notes_told = 0;
   rec->after_state = 0;
   memset(rec->hashes, 0, sizeof rec->hashes);
   memset(rec->phase_rows, 0, sizeof rec->phase_rows);
@@ -1285,6 +1287,11 @@ static Body* living(TumbleRec* rec, uint64_t id, const char* what) {
   return NULL;
 }
 
+static int has_numbers(TumbleRec* rec, const double* v, const char* what) {
+  if (v == NULL) fail(rec, TUMBLE_REC_BAD_CALL, "%s: found NULL, wanted three numbers", what);
+  return v != NULL;
+}
+
 /* ---- Beginning and end. ---- */
 
 static FILE* refuse(TumbleRec* rec, FILE* file, const char* text, const char* path) {
@@ -1377,6 +1384,8 @@ static int check_def(TumbleRec* rec, const TumbleRecDef* def) {
   }
   if (!(def->ring_s >= 0 && def->ring_s < 1e6))
     return fail(rec, TUMBLE_REC_BAD_CALL, "ring_s: found %g, wanted seconds", def->ring_s), 0;
+  if (def->path != NULL && def->path[0] == 0)
+    return fail(rec, TUMBLE_REC_BAD_CALL, "path: found an empty name, wanted that of a file"), 0;
   k = (def->path != NULL) + (def->write != NULL) + (def->ring_s > 0);
   if (k > 1 || (k == 0 && def->verify == NULL)) {
     return fail(rec, TUMBLE_REC_BAD_CALL, "found %d of path, write and ring_s, wanted one, or `verify` alone", k), 0;
@@ -1659,21 +1668,23 @@ static TumbleRecStatus end_start(TumbleRec* rec) {
   return rec->status != TUMBLE_REC_OK ? rec->status : status;
 }
 
-/* An input of one body and some vectors. */
+/* An input of one body: a removal without vectors, a push of u, a velocity u with a spin v. */
 static TumbleRecStatus input_of(TumbleRec* rec, int kind, const char* what, uint64_t id, const double* u,
                                 const double* v) {
   TumbleRecStatus status, start;
   unsigned char* at;
   Body* body;
-  const size_t size = 8 + (u != NULL ? 24u : 0u) + (v != NULL ? 24u : 0u);
+  const size_t size = 8 + (kind == kRemove ? 0u : kind == kPush ? 24u : 48u);
   if (!enter(rec, &status)) return status;
+  if ((kind != kRemove && !has_numbers(rec, u, what)) || (kind == kSetVelocity && !has_numbers(rec, v, what)))
+    return leave(rec, rec->status);
   if (!may_input(rec, what) || (body = living(rec, id, what)) == NULL) return leave(rec, rec->status);
   start = end_start(rec);
   at = rec->status == TUMBLE_REC_OK ? add(rec, kind, size, 0) : NULL;
   if (at == NULL) return leave(rec, rec->status);
   put64(at, id);
-  if (u != NULL) put_doubles(at + 8, u, 3);
-  if (v != NULL) put_doubles(at + 32, v, 3);
+  if (kind != kRemove) put_doubles(at + 8, u, 3);
+  if (kind == kSetVelocity) put_doubles(at + 32, v, 3);
   if (kind == kRemove) {
     rec->moving -= (size_t)moves(body);
     body->gone = 1;
@@ -1702,7 +1713,9 @@ TumbleRecStatus tumble_rec_set_gravity(TumbleRec* rec, const double gravity[3]) 
   TumbleRecStatus status;
   unsigned char* at;
   if (!enter(rec, &status)) return status;
-  if (!may_input(rec, "a gravity") || (at = add(rec, kSetGravity, 24, 0)) == NULL) return leave(rec, rec->status);
+  if (!has_numbers(rec, gravity, "a gravity") || !may_input(rec, "a gravity") ||
+      (at = add(rec, kSetGravity, 24, 0)) == NULL)
+    return leave(rec, rec->status);
   put_doubles(at, gravity, 3);
   memcpy(rec->gravity, gravity, sizeof rec->gravity);
   return leave(rec, entry_done(rec, kSetGravity, at, 24, rec->inputs_told++, 0, 0));
@@ -1846,6 +1859,10 @@ TumbleRecStatus tumble_rec_contact(TumbleRec* rec, const TumbleRecContact* conta
   if (contact == NULL || (contact->points == NULL && contact->point_count > 0) || contact->point_count > kPointsMax) {
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a contact without points, wanted at most 4096"));
   }
+  if (rec->started && !rec->in_step)
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a contact between steps, wanted step_begin before"));
+  if (contact->a == 0)
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a contact of body 0 as a, wanted a body; b is the ground"));
   if (living(rec, contact->a, "a contact") == NULL) return leave(rec, rec->status);
   if (contact->b != 0 && living(rec, contact->b, "a contact") == NULL) return leave(rec, rec->status);
   if (contact->a == contact->b) {
@@ -2079,7 +2096,7 @@ TumbleRecStatus tumble_rec_note(TumbleRec* rec, const char* text) {
                  fail(rec, TUMBLE_REC_BAD_CALL, "found a note of %lu bytes, wanted 1 to 65535", (unsigned long)size));
   if (rec->def.hashes_only) return leave(rec, TUMBLE_REC_OK);
   at = add(rec, kNote, size, 0);
-  if (at != NULL) memcpy(at, text, size);
+  if (at != NULL) memcpy(at, text, size), rec->notes_told = 1;
   return leave(rec, rec->status);
 }
 
@@ -2182,6 +2199,7 @@ TumbleRecStatus tumble_rec_finish(TumbleRec* rec) {
     *put64(rec->head.at + kFrameBytes, rec->step) = 0;
     rec->head.size += 9;
     write_frame(rec, kEnd, &rec->head);
+    if (rec->notes_told) fail(rec, TUMBLE_REC_BAD_CALL, "found a note after the last step, wanted it before step_end");
   }
   flush(rec);
   if (rec->file != NULL && fclose(rec->file) != 0)

@@ -23,7 +23,8 @@
  *
  * What contradicts itself is TUMBLE_REC_BAD_CALL: a second state of a body or a second value of a channel and its
  * bodies in one step, a state, contact, value or input of a body that does not exist (not added, or removed), a contact
- * of a body with itself, no state of a body that moves. Two contacts of one pair and part are kept: more points.
+ * of a body with itself, a state, contact or value between two steps, no state of a body that moves. Two contacts of
+ * one pair and part are kept: more points. One without points is compared by `verify`; a log has no place for it.
  *
  * Functions return TUMBLE_REC_OK or the kind of error, never abort, and accept NULL for rec. After an error, every
  * further call returns the same one and tumble_rec_message() says what was found and wanted; what was written before
@@ -192,7 +193,8 @@ TumbleRecStatus tumble_rec_f64(TumbleRec* rec, uint32_t channel, uint64_t a, dou
 TumbleRecStatus tumble_rec_i64(TumbleRec* rec, uint32_t channel, uint64_t a, int64_t value);
 TumbleRecStatus tumble_rec_text(TumbleRec* rec, uint32_t channel, uint64_t a, const char* value);
 
-TumbleRecStatus tumble_rec_note(TumbleRec* rec, const char* text); /* anything to read beside the step */
+/* Anything to read beside the open step, or the coming one: after the last step there is none, and close says so. */
+TumbleRecStatus tumble_rec_note(TumbleRec* rec, const char* text);
 
 /* The engine's own state after the last step, to begin again from; between steps. */
 TumbleRecStatus tumble_rec_snapshot(TumbleRec* rec, const char* name, const void* bytes, size_t size);

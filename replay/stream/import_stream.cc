@@ -282,7 +282,7 @@ Result<StreamImport> import_stream(const StreamReader& stream,
                                    const std::function<Result<std::unique_ptr<ByteSink>>()>& make_sink,
                                    const Progress& progress) {
   if (stream.steps().empty()) {
-    return damaged(stream.condition().damage.value_or(stream.name() + ": ends before the start was written"));
+    return damaged(stream.condition().damage.value_or(stream.name() + ": has no start: tumble_rec_message() says why"));
   }
   StreamImporter importer(stream, progress);
   if (Status ok = importer.survey(); !ok.ok()) return ok.error();

@@ -104,6 +104,9 @@ void StreamExtras::survey_told(const ToldValues& told) {
 void StreamExtras::survey(const StreamStep& step) {
   survey_channels(step);
   contacts_.add(step.step, contacts_of(step, {}));
+  for (const StreamContact& contact : step.contacts) {
+    if (contact.points.empty()) contacts_.without_points(step.step, contact.a, contact.b);
+  }
   for (const StreamValue& value : step.values) {
     const auto found = found_.find(value.channel);
     if (found != found_.end() && value.type < kBytes) found->second.count = std::max(found->second.count, value.count);
@@ -207,7 +210,9 @@ void StreamExtras::fit() {
 std::vector<std::string> StreamExtras::notes() const {
   std::vector<std::string> all = notes_;
   if (const std::string lost = contacts_.not_finite(); !lost.empty()) all.push_back(lost + "; `check` fails for it");
-  if (std::string odd = contacts_.no_direction(); !odd.empty()) all.push_back(std::move(odd));
+  for (std::string odd : {contacts_.no_direction(), contacts_.pointless()}) {
+    if (!odd.empty()) all.push_back(std::move(odd));
+  }
   return all;
 }
 

@@ -1,7 +1,9 @@
 // What contradicts itself is refused by the call that gives it, and what the recorder takes can be read.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/recorder/imported.h"
@@ -87,6 +89,60 @@ TEST(Refusals, AContactOrAValueOfABodyThatIsNone) {
     return tumble_rec_state(rec, 1, &state);
   };
   EXPECT_NE(refused(twice).find("found two states of body 1 in a step"), std::string::npos);
+}
+
+/// What the recorder says of a call between two steps; the session before can be read.
+std::string said_of(const std::function<void(TumbleRec*)>& call) {
+  std::string message;
+  const auto imported = import_bytes(record(2, 2, [&](TumbleRec* rec) {
+    call(rec);
+    tumble_rec_finish(rec);
+    message = tumble_rec_message(rec);
+  }));
+  EXPECT_TRUE(imported.ok()) << message << imported.error().message;
+  EXPECT_EQ(imported.ok() ? imported->log.last_step() : 0, 2U) << message;
+  return message;
+}
+
+TEST(Refusals, VectorsThatAreNull) {
+  const double v[3] = {1, 2, 3};
+  EXPECT_EQ(said_of([](TumbleRec* rec) { tumble_rec_push(rec, 1, nullptr); }),
+            "step 3: a push: found NULL, wanted three numbers");
+  const double* const none = nullptr;
+  for (const auto& [linear, spin] : {std::pair(none, static_cast<const double*>(v)),
+                                     std::pair(static_cast<const double*>(v), none), std::pair(none, none)}) {
+    const auto told = [linear = linear, spin = spin](TumbleRec* rec) { tumble_rec_set_velocity(rec, 1, linear, spin); };
+    EXPECT_EQ(said_of(told), "step 3: a velocity: found NULL, wanted three numbers");
+  }
+  EXPECT_EQ(said_of([](TumbleRec* rec) { tumble_rec_set_gravity(rec, nullptr); }),
+            "step 3: a gravity: found NULL, wanted three numbers");
+}
+
+TEST(Refusals, WhatBelongsToAStepIsToldInIt) {
+  EXPECT_EQ(said_of([](TumbleRec* rec) {
+              TumbleRecPoint point = {};
+              TumbleRecContact told = {};
+              told.a = 1, told.normal[2] = -1, told.points = &point, told.point_count = 1;
+              tumble_rec_contact(rec, &told);
+            }),
+            "step 3: found a contact between steps, wanted step_begin before");
+  EXPECT_EQ(said_of([](TumbleRec* rec) { tumble_rec_note(rec, "the end"); }),
+            "step 3: found a note after the last step, wanted it before step_end");
+}
+
+TEST(Refusals, AContactWithoutPointsIsNamedByTheImport) {
+  const auto imported = import_bytes(record(1, 1, [](TumbleRec* rec) {
+    tumble_rec_step_begin(rec, 0.0625);
+    const TumbleRecState state = state_at(1, 2);
+    tumble_rec_state(rec, 1, &state);
+    TumbleRecContact told = {};
+    told.a = 1, told.normal[2] = -1;
+    EXPECT_EQ(tumble_rec_contact(rec, &told), TUMBLE_REC_OK);
+    EXPECT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+  }));
+  ASSERT_TRUE(imported.ok()) << imported.error().message;
+  EXPECT_TRUE(mentions(imported->import.warnings,
+                       "step 2, contact of 1 and the world: has no points, so the log does not hold it"));
 }
 
 /// Two steps with `channels` channels of `numbers` numbers a value.
