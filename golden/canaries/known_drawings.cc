@@ -148,6 +148,18 @@ std::string draw_rim() {
   return renderer.ok() ? rim_of_ground(**renderer) : "none";
 }
 
+// The lines of the depth map of pictures of few lines, of some and of the most.
+std::string map_sizes() {
+  std::string found;
+  for (const int height : {kHeight, 1024, 4096}) {
+    const auto renderer = render::Renderer::create({16, height, 1, {}});
+    if (!renderer.ok()) return "none";
+    const Result<render::Image> map = (*renderer)->draw(drawn_snapshot(), render::Stage::kDepth);
+    found += (map.ok() ? std::to_string(map->height) : map.error().message) + " ";
+  }
+  return found;
+}
+
 bool brightness_alike(const std::string& line) {
   std::istringstream numbers(line);
   for (const Drawing& drawing : kDrawings) {
@@ -176,6 +188,7 @@ CanaryResult drawn_apart(std::string (*draw)(), bool (*fits)(const std::string& 
   return result;
 }
 
+bool maps_alike(const std::string& sizes) { return sizes == "512 2048 4096 "; }
 bool rim_alike(const std::string& row) { return std::abs(std::atoi(row.c_str()) - kRim) <= kRimRows; }
 
 }  // namespace
@@ -184,6 +197,7 @@ void run_known_drawings(CanaryRoll& roll) {
   roll.known("words for effects, stages and sizes are read as they were", drawing_words, kWords);
   roll.ask("stages, effects and markers are as bright as they were",
            [] { return drawn_apart(draw_all, brightness_alike); });
+  roll.ask("shadows are as fine as the picture", [] { return drawn_apart(map_sizes, maps_alike); });
   roll.ask("the ground ends where it ended", [] { return drawn_apart(draw_rim, rim_alike); });
 }
 

@@ -1,6 +1,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include "golden/canaries/known_answers.h"
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "src/files/file_kind.h"
 #include "src/files/file_lock.h"
 #include "src/files/output_file.h"
@@ -123,22 +125,40 @@ std::string file_written(const fs::path& folder) {
   return found;
 }
 
+// This process as others are told of it, as far as the system shows its command line and the line is short.
+std::string this_process() {
+  std::string number = "process " + std::to_string(::getpid());
+  std::string line = file_read("/proc/self/cmdline");
+  if (line.empty() || line.size() > 150) return number;
+  line.pop_back();  // each word ends with a zero
+  std::ranges::replace(line, '\0', ' ');
+  return number + " (" + printable(line) + "); wait";
+}
+
+// The rights of a lock's file, where the process takes none away.
+std::string rights_of_lock(const fs::path& folder) {
+  ::umask(0);
+  const Result<files::FolderLock> taken = files::FolderLock::take(folder, "a.lock", "a hunt");
+  struct stat info = {};
+  ::stat((folder / "a.lock").c_str(), &info);
+  return taken.ok() ? ", mode " + std::to_string(info.st_mode & 0777U) : taken.error().message;
+}
+
 std::string folder_locked(const fs::path& folder) {
   std::string found;
   Result<files::FolderLock> first = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
   if (!first.ok()) return first.error().message;
   files::FolderLock held = std::move(*first);
+  const std::string refused = (folder / "locked").string() + ": a hunt works there, " + this_process();
   process::run_jobs(
       1,
-      [&folder](std::size_t) {
+      [&](std::size_t) {
         const Result<files::FolderLock> second = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
-        return second.ok() ? "taken twice"s : second.error().message;
+        if (second.ok()) return "taken twice"s;
+        const std::string& said = second.error().message;
+        return (said.starts_with(refused) ? "refused, with the process" : said) + rights_of_lock(folder / "free");
       },
-      [&](std::size_t, const process::JobResult& child) {
-        const std::string who = "a hunt works there, process " + std::to_string(::getpid());
-        found = child.output.find(who) != std::string::npos ? "refused, with the process" : child.output;
-      },
-      {});
+      [&](std::size_t, const process::JobResult& child) { found = child.failure + child.output; }, {});
   { const files::FolderLock gone = std::move(held); }
   const Result<files::FolderLock> again = files::FolderLock::take(folder / "locked", "a.lock", "a hunt");
   return found + (again.ok() ? ", taken later" : ", never taken again");
@@ -204,7 +224,7 @@ void run_known_files(CanaryRoll& roll) {
              "old old news by its link, mode 416, no part is left, another's stays, : is a folder; name a file, : "
              "cannot be written: No such file or directory, a device");
   roll.known("a folder is one process's at a time", in_scratch(folder_locked),
-             "refused, with the process, taken later");
+             "refused, with the process, mode 438, taken later");
   roll.known("a folder of outputs holds nothing that must stay", in_scratch(folder_claimed),
              "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
   roll.known("a file that must stay is found by every way to it", in_scratch(links_claimed));

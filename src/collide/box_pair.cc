@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "src/base/check.h"
 #include "src/kernels/box_tests.h"
@@ -14,13 +15,20 @@ namespace {
 constexpr int kNext[3] = {1, 2, 0};
 constexpr int kAfterNext[3] = {2, 0, 1};
 
+// m, of a part of the offset along a face's normal.
+std::optional<double> separation_of(double along, double reach) {
+  if (along == 0) return {};
+  return std::fabs(along) - reach;
+}
+
 // BoxPair::along for one face of `box`, without the products of the other axes.
 bool apart_along_face(const BoxFrame& box, int face, const BoxFrame& other, const Vec3& offset) {
   const Vec3 &normal = box.axes[face], &h = other.half_extent;
   const double distance = dot(offset, normal);
   const auto along = [&](int k) { return std::fabs(dot(normal, other.axes[k])); };
   const double reach = box.half_extent[face] + ((h.x() * along(0) + h.y() * along(1)) + h.z() * along(2));
-  return distance != 0 && std::fabs(distance) - reach >= 0;
+  const std::optional<double> separation = separation_of(distance, reach);
+  return separation && *separation >= 0;
 }
 
 }  // namespace
@@ -51,12 +59,12 @@ BoxPair::Separation BoxPair::along(int axis) const {
   if (axis < 3) {
     const double* p = product_[axis];
     const double reach = ha[axis] + ((hb.x() * p[0] + hb.y() * p[1]) + hb.z() * p[2]);
-    return {offset_a_[axis] != 0, std::fabs(offset_a_[axis]) - reach};
+    return separation_of(offset_a_[axis], reach);
   }
   if (axis < 6) {
     const int j = axis - 3;
     const double reach = hb[j] + ((ha.x() * product_[0][j] + ha.y() * product_[1][j]) + ha.z() * product_[2][j]);
-    return {offset_b_[j] != 0, std::fabs(offset_b_[j]) - reach};
+    return separation_of(offset_b_[j], reach);
   }
   const Edges edges((axis - 6) / 3, (axis - 6) % 3, *a_, *b_);
   if (facelike(edges)) return {};
@@ -84,7 +92,8 @@ BoxPair::Separation BoxPair::along_edge(const Edges& edges, double least_squared
   const Vec3& ha = a_->half_extent;
   const Vec3& hb = b_->half_extent;
   const double reach = (ha[ia] * along_ia + ha[ib] * along_ib) + (hb[ja] * along_ja + hb[jb] * along_jb);
-  return {offset != 0, std::fabs(offset) * scale - reach};
+  if (offset == 0) return {};
+  return std::fabs(offset) * scale - reach;
 }
 
 bool BoxPair::apart_along_facelike_edges() const {
@@ -93,7 +102,7 @@ bool BoxPair::apart_along_facelike_edges() const {
       const Edges edges(i, j, *a_, *b_);
       if (!facelike(edges)) continue;
       const Separation s = along_edge(edges, kParallelSquared);
-      if (s.has_direction && s.value >= 0) return true;
+      if (s && *s >= 0) return true;
     }
   }
   return false;
@@ -104,16 +113,16 @@ AxisSet BoxPair::separating(AxisSet candidates) const {
   for (unsigned left = candidates; left != 0; left &= left - 1) {
     const int axis = std::countr_zero(left);
     const Separation s = along(axis);
-    if (s.has_direction && s.value >= 0) apart |= only(axis);
+    if (s && *s >= 0) apart |= only(axis);
   }
   return apart;
 }
 
 void BoxPair::better(int axis, const Separation& s, BestAxes& best) {
-  if (!s.has_direction) return;
-  if (best.axes == 0 || s.value > best.separation) {
-    best = {only(axis), s.value};
-  } else if (s.value == best.separation) {
+  if (!s) return;
+  if (best.axes == 0 || *s > best.separation) {
+    best = {only(axis), *s};
+  } else if (*s == best.separation) {
     best.axes |= only(axis);
   }
 }
@@ -131,9 +140,9 @@ double BoxPair::second(AxisSet candidates) const {
   double most = -std::numeric_limits<double>::infinity(), second = most;
   for (unsigned left = candidates; left != 0; left &= left - 1) {
     const Separation s = along(std::countr_zero(left));
-    if (!s.has_direction) continue;
-    second = std::max(second, std::min(most, s.value));
-    most = std::max(most, s.value);
+    if (!s) continue;
+    second = std::max(second, std::min(most, *s));
+    most = std::max(most, *s);
   }
   return second;
 }
@@ -147,7 +156,7 @@ BestAxes BoxPair::best_of_all() const {
 }
 
 Vec3 BoxPair::normal(int axis) const {
-  SIM_DCHECK(axis >= 6 || along(axis).has_direction, axis);
+  SIM_DCHECK(axis >= 6 || along(axis).has_value(), axis);
   return normal_along(*a_, *b_, offset_, axis);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "src/kernels/box_frame.h"
 #include "src/kernels/box_tests.h"
@@ -79,10 +80,7 @@ class BoxPair {
   [[nodiscard]] const Vec3& offset() const { return offset_; }
 
  private:
-  struct Separation {
-    bool has_direction = false;
-    double value = 0;
-  };
+  using Separation = std::optional<double>;  // m; nothing along an axis without direction
   // a's edge i crossed with b's edge j.
   struct Edges {
     int i, j;
@@ -97,7 +95,7 @@ class BoxPair {
   };
   [[nodiscard]] Separation along(int axis) const;
   [[nodiscard]] Separation along_edge(const Edges& edges,
-                                      double least_squared) const;  // has_direction even where the axis repeats a face
+                                      double least_squared) const;  // a value even where the axis repeats a face
   [[nodiscard]] bool facelike(const Edges& edges) const;
   static void better(int axis, const Separation& s, BestAxes& best);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kInterrupts = {SIGINT, SIGTERM, SIGHUP};
 static_assert(kInterrupts.size() == SignalHandlers{}.size());
 
-volatile std::sig_atomic_t signal_came = 0;
+volatile std::sig_atomic_t signal_came;  // cleared by each guard
 
 void note_signal(int /*number*/) { signal_came = 1; }
 

@@ -127,8 +127,7 @@ Energy energy_at_end(const WorldState& state, Scratch& scratch) {
   return energy;
 }
 
-// Whether more than `most` bodies fall into the ground within dt_s; the trial phases of method thesis would find them
-// too, but later.
+// Whether more than `most` bodies fall into the ground within dt_s; the trial phases would find that too, but later.
 bool grounds_more_than(std::size_t most, const WorldState& state, double dt_s) {
   const Bodies& bodies = state.bodies;
   const double fall = falling_reach(state.def, dt_s);
@@ -184,13 +183,14 @@ class StepRun {
   /// Advances by dt_s, halving as often as `depth` allows when there are too many collisions (thesis V.A).
   Status advance(double dt_s, unsigned depth) {
     const std::size_t most = world_.state().def.split_collisions;
+    const bool may_halve = depth > 0;
     // Counting the bodies that fall into the ground is cheap and usually saves the trial.
-    if (depth > 0 && grounds_more_than(most, world_.state(), dt_s)) return halve(dt_s, depth);
-    if (depth > 0) save(depth);
+    if (may_halve && grounds_more_than(most, world_.state(), dt_s)) return halve(dt_s, depth);
+    if (may_halve) save(depth);
     for (std::size_t k = 0; k < table_.trial_count; ++k) {
       if (Status ok = run(k, dt_s); !ok.ok()) return ok;
     }
-    if (depth > 0 && world_.scratch().contacts.size() > most) {
+    if (may_halve && world_.scratch().contacts.size() > most) {
       put_back(depth);
       return halve(dt_s, depth);
     }
