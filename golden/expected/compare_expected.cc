@@ -224,7 +224,7 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   const std::string body = divergence->body ? names_.text(*divergence->body) + ", " : "";
   field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + size + ": expected " +
                   replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);
-  if (divergence->ulps) field_detail_ += " (" + number(*divergence->ulps) + " ULPs apart)";
+  if (divergence->ulps) field_detail_ += " (" + count_text(*divergence->ulps, "ULP") + " apart)";
 }
 
 void ExpectedComparer::note_apart(double metres, std::uint64_t step, sim::BodyId body) {

@@ -167,12 +167,13 @@ std::string ExtrasComparer::detail(const std::string& field, const replay::StepR
   std::string of;
   if (found->body) of = " of body " + std::to_string(*found->body);
   if (found->pair) {
-    of = " of the pair " + std::to_string(found->pair->first) + " and " + std::to_string(found->pair->second);
+    of = " of the pair " + std::to_string(found->pair->first) + " and " +
+         (found->pair->second == 0 ? "the world" : std::to_string(found->pair->second));
   }
   std::string text = "at step " + std::to_string(record.step) + ", " + field + of + ": expected " +
                      replay::to_string(found->expected) + ", actual " + replay::to_string(found->actual);
   if (!before.unit.empty()) text += " " + before.unit;
-  if (found->ulps) text += " (" + std::to_string(*found->ulps) + " ULPs apart)";
+  if (found->ulps) text += " (" + count_text(*found->ulps, "ULP") + " apart)";
   return text;
 }
 

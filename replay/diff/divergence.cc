@@ -179,7 +179,10 @@ std::string describe(const Divergence& d) {
   if (d.substep) text += ", substep " + std::to_string(*d.substep);
   text += ", phase " + d.phase;
   if (d.body) text += ", body " + std::to_string(*d.body);
-  if (d.pair) text += ", pair " + std::to_string(d.pair->first) + " and " + std::to_string(d.pair->second);
+  if (d.pair) {
+    text += ", pair " + std::to_string(d.pair->first) + " and " +
+            (d.pair->second == 0 ? "the world" : std::to_string(d.pair->second));
+  }
   if (!d.names.empty()) text += " (" + d.names + ")";
   if (is_body_missing(d)) {
     return text + (std::holds_alternative<std::monostate>(d.actual) ? ": expected, but not there"

@@ -44,6 +44,7 @@ std::optional<std::uint64_t> ulps32_between(double a, double b) {
     return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
   };
   const std::uint32_t key_a = key(a), key_b = key(b);
+  if (key_a == key_b && bits_of(a) != bits_of(b)) return ulps_between(a, b);  // apart by less than a float
   return key_a > key_b ? key_a - key_b : key_b - key_a;
 }
 

@@ -20,7 +20,8 @@ bool same_bits(const FieldValue& a, const FieldValue& b);
 /// NaN.
 std::optional<std::uint64_t> ulps_between(double a, double b);
 
-/// ulps_between() for the floats nearest to the two doubles. None for NaN and for values beyond the range of a float.
+/// ulps_between() for the floats nearest to the two doubles; of two doubles nearest to one float, that of the doubles,
+/// so that what differs is never 0 apart. None for NaN and for values beyond the range of a float.
 std::optional<std::uint64_t> ulps32_between(double a, double b);
 
 }  // namespace tumble::replay

@@ -209,6 +209,8 @@ TEST(EngineLog, UlpsAreCountedInTheEnginesPrecision) {
   EXPECT_EQ(diff_logs(c, d)->first->ulps, std::uint64_t{1} << 29U);
   EXPECT_EQ(ulps32_between(-0.0, 0.0), 1U);
   EXPECT_EQ(ulps32_between(1e-45, -1e-45), 3U);
+  EXPECT_EQ(ulps32_between(0.12, 0.12), 0U);
+  EXPECT_EQ(ulps32_between(1, std::nextafter(1.0, 2.0)), 1U) << "two numbers that differ are not 0 apart";
   EXPECT_FALSE(ulps32_between(1e300, 1).has_value());
   EXPECT_FALSE(ulps32_between(std::nan(""), 1).has_value());
 }

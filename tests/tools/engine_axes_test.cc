@@ -101,8 +101,22 @@ TEST(EngineAxes, ContactsThatAreTheFirstDifferenceAreSaidToDiffer) {
   recorded(shop, "c", none);
   recorded(shop, "d", none);
   EXPECT_FALSE(says(shop.run({"diff", "c.tumble", "d.tumble"}).out, "contacts of the engine"));
+  const Outcome gone = shop.run({"diff", "a.tumble", "c.tumble"});
+  EXPECT_TRUE(says(gone.out, "1 and the world  (ball and the world)")) << gone.out;
   recorded(shop, "e");
   EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "e.tumble"}).out, "contacts of the engine"));
+}
+
+TEST(EngineAxes, OneUlpIsOne) {
+  const Workshop shop;
+  const std::string names =
+      "# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+      "orientation.y,orientation.z\n";
+  shop.write("a.csv", names + "0,1,1,0,5,1,0,0,0\n1,1,1,0,5,1,0,0,0\n");
+  shop.write("b.csv", names + "0,1,1,0,5,1,0,0,0\n1,1,1.0000000000000002,0,5,1,0,0,0\n");
+  for (const char* table : {"a.csv", "b.csv"}) EXPECT_EQ(shop.run({"import", table}).exit, 0);
+  const std::string text = shop.run({"diff", "a.tumble", "b.tumble"}).out;
+  EXPECT_TRUE(says(text, "2.22e-16 m, 1 ULP\n")) << text;
 }
 
 TEST(EngineAxes, PhasesOfTwoLogsOfOneEngineAreCompared) {

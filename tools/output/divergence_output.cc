@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 
+#include "src/base/text.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::tools {
@@ -112,9 +113,14 @@ void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence&
     const std::string in_a = a.bodies().name(id);
     return in_a.empty() ? b.bodies().name(id) : in_a;
   };
+  const auto of_pair = [&](sim::BodyId id) {
+    if (id == 0) return std::string("the world");
+    const std::string own = name(id);
+    return own.empty() ? std::to_string(id) : own;
+  };
   if (found.pair) {
-    const std::string one = name(found.pair->first), other = name(found.pair->second);
-    if (!one.empty() || !other.empty()) found.names = one + " and " + other;
+    const auto& [one, other] = *found.pair;
+    if (!name(one).empty() || !name(other).empty()) found.names = of_pair(one) + " and " + of_pair(other);
   } else if (found.body) {
     found.names = name(*found.body);
   }
@@ -149,7 +155,8 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
   if (first.pair) {
     const auto of_names = [&](sim::BodyId id) { return sides.names.contains(id); };
     const bool both = of_names(first.pair->first) && of_names(first.pair->second);
-    const std::string ids = std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second);
+    const std::string ids = std::to_string(first.pair->first) + " and " +
+                            (first.pair->second == 0 ? "the world" : std::to_string(first.pair->second));
     listing.add("  pair", both ? printable(first.names) : ids + names);
   }
   if (replay::is_body_missing(first)) {
@@ -161,7 +168,7 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
   listing.add("  " + sides.expected, value_text(first.expected));
   listing.add("  " + sides.actual, value_text(first.actual));
   const std::string size = replay::magnitude(first);
-  const std::string ulps = first.ulps ? std::to_string(*first.ulps) + " ULPs" : "";
+  const std::string ulps = first.ulps ? count_text(*first.ulps, "ULP") : "";
   if (!size.empty() || !ulps.empty()) listing.add("  apart", size + (size.empty() || ulps.empty() ? "" : ", ") + ulps);
   if (!first.note.empty()) listing.add("  note", first.note);
   listing.print();
