@@ -170,7 +170,7 @@ static const Field kContactFields[] = {{'q', "a"},
 static const Field kPhaseFields[] = {{'w', "phase"}, {'w', "substep"}, {'q', "hash"}, {0, NULL}};
 static const Field kChannelFields[] = {{'w', "number"}, {'b', "scope"}, {'b', "type"}, {'s', "name"}, {0, NULL}};
 static const Field kHeaderFields[] = {
-    {'w', "precision"}, {'b', "up"},     {'b', "left_handed"}, {'b', "ground"},    {'b', "hashes_only"},
+    {'w', "precision"}, {'c', "up"},     {'b', "left_handed"}, {'b', "ground"},    {'b', "hashes_only"},
     {'b', "ring"},      {'d', "metres"}, {'d', "gravity.x"},   {'d', "gravity.y"}, {'d', "gravity.z"},
     {0, NULL}};
 
@@ -907,10 +907,11 @@ static Entry* find_entry(TumbleRec* rec, const Entry* key) {
   return low < v->count && compare_entries(v->sorted[low], key) == 0 ? v->sorted[low] : NULL;
 }
 
-static size_t size_of_type(char type) { return type == 'b' ? 1 : type == 'w' || type == 'f' ? 4 : 8; }
+static size_t size_of_type(char type) { return type == 'b' || type == 'c' ? 1 : type == 'w' || type == 'f' ? 4 : 8; }
 
 static void print_field(char* to, size_t room, char type, const unsigned char* at) {
   if (type == 'b') snprintf(to, room, "%u", (unsigned)*at);
+  if (type == 'c') snprintf(to, room, "%c", (int)*at);
   if (type == 'w') snprintf(to, room, "%" PRIu32, get32(at));
   if (type == 'i') snprintf(to, room, "%" PRId64, (int64_t)get64(at));
   if (type == 'q') snprintf(to, room, "%" PRIu64, get64(at));
@@ -984,6 +985,15 @@ static const Field* fields_of(int kind) {
     default:
       return kChannelFields;
   }
+}
+
+/* The name within the record of a channel; "channel" where it holds none. */
+static void name_channel(TumbleRec* rec, const unsigned char* at, size_t size, const char* earlier, const char* now) {
+  const size_t length = size < 8 ? 0 : (size_t)at[6] | (size_t)at[7] << 8;
+  name_field(rec, "channel", earlier, now);
+  if (length > 0 && length <= size - 8)
+    snprintf(rec->field_text, sizeof rec->field_text, "%.*s", (int)(length < kNameMax ? length : kNameMax),
+             (const char*)at + 8);
 }
 
 static const char* name_of_input(int kind) {
@@ -1090,12 +1100,15 @@ static void verify_record(TumbleRec* rec, const Entry* key, const unsigned char*
   int was_kind;
   if (rec->status != TUMBLE_REC_OK) return;
   if (e == NULL) {
-    name_field(rec,
-               is_input                 ? name_of_input(key->kind)
-               : key->kind == kValue    ? rec->channels[key->c].name
-               : key->class_ == kPhases ? rec->phase_names[key->a]
-                                        : kClassNames[key->class_],
-               "absent", "present");
+    if (key->kind == kChannel)
+      name_channel(rec, at, size, "absent", "present");
+    else
+      name_field(rec,
+                 is_input                 ? name_of_input(key->kind)
+                 : key->kind == kValue    ? rec->channels[key->c].name
+                 : key->class_ == kPhases ? rec->phase_names[key->a]
+                                          : kClassNames[key->class_],
+                 "absent", "present");
     set_difference(rec, kClassNames[key->class_], body, other);
     return;
   }
@@ -1171,11 +1184,15 @@ static void close_earlier(TumbleRec* rec) {
     const Entry* e = &v->entries[k];
     const int is_value = e->kind == kValue && e->c < rec->channel_count;
     if (e->seen || e->kind == kSame) continue;
-    name_field(rec,
-               is_value               ? rec->channels[e->c].name
-               : e->class_ == kInputs ? name_of_input(e->kind)
-                                      : kClassNames[e->class_],
-               kText, "absent");
+    if (e->kind == kChannel)
+      name_channel(rec, v->frame.at + e->at, e->size, kText, "absent");
+    else
+      name_field(rec,
+                 is_value                                     ? rec->channels[e->c].name
+                 : e->class_ == kInputs                       ? name_of_input(e->kind)
+                 : e->class_ == kPhases && e->a < rec->phases ? rec->phase_names[e->a]
+                                                              : kClassNames[e->class_],
+                 kText, "absent");
     set_difference(rec, kClassNames[e->class_], e->class_ == kInputs || e->class_ == kPhases ? 0 : e->a,
                    e->class_ == kPhases ? 0 : e->b);
     return;
