@@ -96,6 +96,15 @@ const char* ChannelPart::kind() const {
   return values->kind == Array::Kind::kUnsigned && values->item_bytes == 8 ? "uint64" : "int64";
 }
 
+std::string header_line(const Array& array) {
+  const bool has_three = array.shape == std::vector<std::size_t>{3} && array.is_number() &&
+                         std::ranges::find(kKeysOfThree, array.name) != kKeysOfThree.end();
+  if (!has_three && !array.shape.empty()) return {};
+  const std::string value =
+      has_three ? array.cell({0}) + ' ' + array.cell({1}) + ' ' + array.cell({2}) : array.cell({});
+  return "# " + array.name + ": " + value + '\n';
+}
+
 std::string kinds_line(const std::vector<TableColumn>& columns, const std::vector<std::string>& kinds) {
   const auto channels = std::ranges::count_if(columns, [](const TableColumn& column) {
     return column.name.starts_with("channel.") || column.name.starts_with("world.") || column.name.starts_with("pair.");
@@ -126,7 +135,7 @@ std::string print_rows(const std::string& header, const std::vector<TableColumn>
       text += '\n';
     }
   }
-  return header + (escaped ? std::string(kEscapesLine) : "") + text;
+  return std::string(kRowsOfArrays) + '\n' + header + (escaped ? std::string(kEscapesLine) : "") + text;
 }
 
 }  // namespace tumble::replay

@@ -57,12 +57,16 @@ struct ChannelPart {
   [[nodiscard]] const char* kind() const;
 };
 
+/// The line of the header that a scalar stands for, or three numbers of a key that has three: "# gravity: 0 0 -9.81"
+/// and a line end. Empty for another array.
+std::string header_line(const Array& array);
+
 /// "# kinds: float64 text" and a line end; empty where some channel among the columns has no kind.
 std::string kinds_line(const std::vector<TableColumn>& columns, const std::vector<std::string>& kinds);
 
-/// The lines of the table: `header`, the names, a row a step and body. Names and cells are as text_cell() writes them,
-/// and the header says so where that changes any. present: (steps, bodies), false where the table
-/// has no row; null: rows everywhere.
+/// The lines of the table: kRowsOfArrays, `header`, the names, a row a step and body. Names and cells are as
+/// text_cell() writes them, and the header says so where that changes any. present: (steps, bodies), false where the
+/// table has no row; null: rows everywhere.
 std::string print_rows(const std::string& header, const std::vector<TableColumn>& columns, std::size_t steps,
                        std::size_t bodies, const Array* present);
 

@@ -193,17 +193,17 @@ class ArrayTable {
     return {};
   }
 
-  /// Every other array is a channel: of the step, or of bodies. A scalar is a line of the header, or a remark.
+  /// Every other array is a channel: of the step, or of bodies. A scalar or a vector like gravity is a line of the
+  /// header.
   Status add_rest(const Array& array) {
     if (std::ranges::find(used_, &array) != used_.end()) return {};
     const std::vector<std::size_t>& shape = array.shape;
-    const bool passed = array.name.starts_with('_');
-    if (shape.empty() && !passed) {
-      header_ += "# " + array.name + ": " + array.cell({}) + "\n";
+    if (array.name.starts_with('_')) {
+      columns_.push_back({array.name, [](std::size_t, std::size_t) { return std::string(); }});
       return {};
     }
-    if (passed) {
-      columns_.push_back({array.name, [](std::size_t, std::size_t) { return std::string(); }});
+    if (std::string line = header_line(array); !line.empty()) {
+      header_ += line;
       return {};
     }
     if (array.name.starts_with("pair.")) return add_pairs(array);

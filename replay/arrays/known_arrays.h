@@ -33,4 +33,7 @@ inline constexpr std::array kSteady = {KnownArray{"size", {"size", "sizes"}, "xy
                                        KnownArray{"texture", {"texture"}, ""},
                                        KnownArray{"friction_dynamic", {"friction_dynamic"}, ""}};
 
+/// Keys of the header that have three numbers.
+inline constexpr std::array<std::string_view, 4> kKeysOfThree = {"gravity", "size", "camera.position", "camera.target"};
+
 }  // namespace tumble::replay

@@ -29,6 +29,9 @@ std::string text_in_cell(std::string_view cell);
 inline constexpr std::string_view kEscapesKey = "escapes", kEscapesValue = "percent";
 inline constexpr std::string_view kEscapesLine = "# escapes: percent\n";
 
+/// The first line of a table that was made of arrays: messages then name step and body, for no file has its lines.
+inline constexpr std::string_view kRowsOfArrays = "# rows of arrays";
+
 /// Reads back to the same bits. Readers of tables know "inf" and the usual "nan".
 std::string number_cell(double number);
 

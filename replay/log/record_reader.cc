@@ -1,7 +1,9 @@
 #include "replay/log/record_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "replay/codec/header_codec.h"
@@ -65,6 +67,19 @@ Status check_types(const ChunkDecoder& chunk, const std::vector<Channel>& channe
 
 }  // namespace
 
+namespace {
+
+/// What `import` reads begins so: a stream, an archive of arrays, a table with or without lines before its names.
+bool is_for_import(std::span<const std::byte> start) {
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
+  const std::string_view line = text.substr(0, text.find('\n'));
+  if (line.starts_with("# ") && line.find(": ") != std::string_view::npos) return true;
+  return std::ranges::any_of(std::array<std::string_view, 4>{"\x89tumblestream", "PK\x03\x04", "step,", "time,"},
+                             [&](std::string_view head) { return text.starts_with(head); });
+}
+
+}  // namespace
+
 /// The prelude at byte 0. A file that is no log, a damaged log and a torn one get errors of their own.
 Result<Prelude> RecordReader::read_header_prelude() const {
   const std::uint64_t size = source_.size();
@@ -75,8 +90,12 @@ Result<Prelude> RecordReader::read_header_prelude() const {
   if (!starts_like_log(start) && nearly_starts_like_log(start)) {
     return damaged(source_.name() + ": header at byte 0: the bytes that every log begins with are damaged");
   }
-  if (!starts_like_log(start))
-    return bad_input(source_.name() + ": is not a log: it does not begin as one; was another file meant?");
+  if (!starts_like_log(start)) {
+    return bad_input(source_.name() + (is_for_import(start)
+                                           ? ": is no log yet: 'tumble import FILE' makes one of a recorder's stream, "
+                                             "a table or an archive of arrays"
+                                           : ": is not a log: it does not begin as one; was another file meant?"));
+  }
   if (size < kPreludeBytes) {
     return damaged(source_.name() + ": torn at byte " + std::to_string(size) +
                    ", inside the header; nothing can be saved");

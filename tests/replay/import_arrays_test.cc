@@ -147,6 +147,35 @@ Array array_of(const std::string& name, Array::Kind kind, const std::vector<Numb
   return array;
 }
 
+TEST(ImportArrays, ThreeNumbersOfAKeyAreALineOfTheHeader) {
+  std::vector<Array> arrays = robot();
+  arrays.push_back(array_of("gravity", Array::Kind::kFloat, std::vector<double>{0, 0.5, -1.625}));
+  Result<LogReader> moon = import(arrays);
+  ASSERT_TRUE(moon.ok()) << moon.error().message;
+  EXPECT_EQ(moon->header().scene.world.gravity, sim::Vec3(0, 0.5, -1.625));
+  for (const Channel& channel : moon->header().declared.channels) EXPECT_NE(channel.name, "gravity");
+}
+
+TEST(ImportArrays, MessagesNameStepAndBodyAndNoLine) {
+  const auto said = [](const Array& more) {
+    std::vector<Array> arrays = robot();
+    std::erase_if(arrays, [&](const Array& a) { return a.name == more.name || a.name == "body_names"; });
+    arrays.push_back(more);
+    const Result<LogReader> log = import(arrays);
+    return log.ok() ? "no error" : log.error().message;
+  };
+  const auto numbers = [](const std::string& name, std::vector<double> values) {
+    return array_of(name, Array::Kind::kFloat, values);
+  };
+  EXPECT_TRUE(said(numbers("mass", {1, -1})).starts_with("t.npz: step 0, body ")) << said(numbers("mass", {1, -1}));
+  EXPECT_TRUE(said(array_of("id", Array::Kind::kUnsigned, std::vector<std::uint64_t>{4, 4}))
+                  .starts_with("t.npz: step 0: found body"));
+  std::vector<double> clock(30);
+  for (std::size_t k = 0; k < clock.size(); ++k) clock[k] = k == 7 ? 1 : 0.01 * static_cast<double>(k);
+  EXPECT_TRUE(said(numbers("time", clock)).starts_with("t.npz: ")) << said(numbers("time", clock));
+  EXPECT_EQ(said(numbers("time", clock)).find("npz:1"), std::string::npos) << said(numbers("time", clock));
+}
+
 /// The robot with numbers for its bodies, and a force between them in steps 3 and 4.
 std::vector<Array> robot_with_pairs() {
   using Wholes = std::vector<std::uint64_t>;

@@ -54,6 +54,21 @@ TEST(BadUsage, OptionsNameWhatWasFoundAndWanted) {
   EXPECT_FALSE(std::filesystem::exists(shop.path("s.tumble"))) << "a refused session must not leave a log";
 }
 
+TEST(BadUsage, WhatIsToBeImportedIsSaidToBe) {
+  const Workshop shop;
+  shop.write("a.csv", "# dt: 0.01\nstep,id,position.x\n0,1,0\n");
+  shop.write("b.csv", "step,id,position.x\n0,1,0\n");
+  shop.write("a.npz", std::string("PK\x03\x04") + "arrays");
+  shop.write("a.tumblestream", std::string("\x89tumblestream\r\n\x1a") + "more");
+  shop.write("page.md", "# A page\nsome: words\n");
+  for (const std::string file : {"a.csv", "b.csv", "a.npz", "a.tumblestream"}) {
+    for (const Words& command : {Words{"diff", file, file}, Words{"replay", file}, Words{"measure", file}}) {
+      expect_error(shop.run(command), 2, "tumble " + command.front(), {file + ": is no log yet: 'tumble import FILE'"});
+    }
+  }
+  expect_error(shop.run({"info", "page.md"}), 2, "tumble info", {"page.md: is not a log"});
+}
+
 TEST(BadScene, ErrorsNameFileLineKeyFoundAndWanted) {
   const Workshop shop;
   shop.write("s.toml", "[world]\nmethod = \"thesis\"\n[[box]]\nmass = -2.0\n");

@@ -96,6 +96,7 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
     }
     if (std::string wrong = wrong_separator(reader.current_, reader.cells_.size()); !wrong.empty())
       return reader.at_line(reader.line_, wrong);
+    reader.line_of_names_ = reader.line_;
     reader.columns_.assign(reader.cells_.begin(), reader.cells_.end());
     return reader;
   }
@@ -178,13 +179,35 @@ Result<std::uint64_t> CsvReader::whole(std::size_t column) const {
   return parse<std::uint64_t>(column, "a whole number from 0 on");
 }
 
+/// Where a message points to. Lines of a table that was made of arrays are rows, each of a step and a body.
+std::string CsvReader::place(std::uint64_t line, std::size_t byte, bool of_body) const {
+  if (!text_.starts_with(kRowsOfArrays)) {
+    return name_ + ":" + std::to_string(line) + ":" + std::to_string(byte) + ": ";
+  }
+  if (line_of_names_ == 0 || line <= line_of_names_) return name_ + ": ";
+  CsvReader row(text_, name_);
+  if (line != line_) {
+    while (row.line_ < line && row.next_line()) continue;
+    row.escaped_ = escaped_;
+    row.split();
+  }
+  const auto cell = [&](std::string_view column) {
+    const std::vector<std::string_view>& cells = line == line_ ? cells_ : row.cells_;
+    const std::optional<std::size_t> k = find(column);
+    return k && *k < cells.size() ? std::string(cells[*k]) : std::string();
+  };
+  const std::string step = cell("step"), body = of_body ? cell("id") : "";
+  return name_ + ": " + (step.empty() ? "time " + cell("time") + " s" : "step " + step) +
+         (body.empty() ? "" : ", body " + body) + ": ";
+}
+
 Error CsvReader::at(std::size_t column, const std::string& message) const {
   const std::size_t byte = static_cast<std::size_t>(written_[column].data() - current_.data()) + 1;
-  return bad_input(name_ + ":" + std::to_string(line_) + ":" + std::to_string(byte) + ": " + message);
+  return bad_input(place(line_, byte, true) + message);
 }
 
 Error CsvReader::at_line(std::uint64_t line, const std::string& message) const {
-  return bad_input(name_ + ":" + std::to_string(line) + ":1: " + message);
+  return bad_input(place(line, 1, false) + message);
 }
 
 }  // namespace tumble::replay

@@ -23,7 +23,8 @@ struct CsvSetting {
 /// separate the cells; quotes are not used. Behind a line "# escapes: percent" all names and cells are as text_cell()
 /// writes them. The reader ignores blanks around cells, empty lines, and lines below the
 /// names that begin with #. Lines may end in CR LF; the last row ends so too. Errors (kBadInput) begin with
-/// "<name>:<line>:<column>: "; line and column count from 1, the column in bytes.
+/// "<name>:<line>:<column>: "; line and column count from 1, the column in bytes. Those of a table that was made of
+/// arrays begin with "<name>: step 3, body 2: ".
 class CsvReader {
  public:
   /// Reads up to the names of the columns. `text` must outlive the reader.
@@ -65,6 +66,7 @@ class CsvReader {
   void add_setting(std::string_view line, std::vector<CsvSetting>& settings) const;
   void split();
   Status take_escapes();
+  [[nodiscard]] std::string place(std::uint64_t line, std::size_t byte, bool of_body) const;
   template <class Number>
   [[nodiscard]] Result<Number> parse(std::size_t column, const char* wanted) const;
 
@@ -81,6 +83,7 @@ class CsvReader {
   std::vector<std::string_view> cells_;    // what they say
   std::set<std::string, std::less<>> decoded_;
   bool escaped_ = false;
+  std::uint64_t line_of_names_ = 0;  // 0: not read yet
 };
 
 }  // namespace tumble::replay
