@@ -56,7 +56,9 @@ std::string shell_quoted(const std::string& word) {
 std::string end_of_output(const fs::path& file) {
   const Result<std::string> text = read_text(file);
   if (!text.ok() || text->empty()) return "";
-  return "; it printed: " + valid_text(text->substr(text->size() - std::min(text->size(), kOutputShown)));
+  std::string end = valid_text(text->substr(text->size() - std::min(text->size(), kOutputShown)));
+  end.erase(end.find_last_not_of(" \t\r\n") + 1);
+  return end.empty() ? "" : "; it printed: " + end;
 }
 
 Result<std::vector<std::string>> engine_words(const EngineProject& project, const std::string& command,

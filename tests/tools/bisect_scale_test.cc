@@ -203,5 +203,15 @@ TEST(BisectScale, TakesTheMostFrequentAnswer) {
   EXPECT_EQ(answer_of({late, late}).other, "");
 }
 
+TEST(BisectScale, LeavesNothingWhereNothingWasAnswered) {
+  const Workshop shop;
+  const HistoryPlan plan{.commits = 3, .fault = 2, .broken = {}};
+  const History history(shop, plan);
+  const Outcome outcome = history.bisect_by({"session.tumble", "--good", "no-such-revision", "--bad", "HEAD"});
+  EXPECT_EQ(outcome.exit, 2) << outcome.err;
+  EXPECT_EQ(outcome.err.find("--resume"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(shop.path("work"))) << "the folder of work is still there";
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -107,13 +107,14 @@ TEST(HuntEngine, LeavesWhatItWroteBesideAFinding) {
   const Workshop shop;
   shop.write("tumble.toml", R"([engine]
 shell = true
-run = """(echo half a table; head -c 5000000 /dev/zero | tr '\\0' x) >{log}; echo no memory; exit 3 # {scene}"""
+run = """(echo half a table; head -c 5000000 /dev/zero | tr '\\0' x) >{log}; echo no memory; echo at all; exit 3 # {scene}"""
 )");
   const Outcome run = shop.run({"hunt", "--engine", "--count", "5", "--relation", "finishes", "--folder", "kept"});
   EXPECT_EQ(run.exit, 4) << run.err;
   for (const char* file : {"finishes_1_0.csv.cut", "finishes_1_0.said.txt"})
     EXPECT_NE(run.out.find(std::string("kept/findings/") + file), std::string::npos) << run.out;
-  EXPECT_EQ(shop.read("kept/findings/finishes_1_0.said.txt"), "no memory\n");
+  EXPECT_EQ(shop.read("kept/findings/finishes_1_0.said.txt"), "no memory\nat all\n");
+  EXPECT_NE(run.out.find("it printed: no memory | at all\n"), std::string::npos) << run.out;
   const std::string wrote = shop.read("kept/findings/finishes_1_0.csv.cut");
   EXPECT_EQ(wrote.size(), 4U << 20U);
   EXPECT_EQ(wrote.substr(0, 13), "half a table\n");

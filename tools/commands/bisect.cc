@@ -185,6 +185,8 @@ Result<Exit> find_commit(const BisectCommand& options) {
   if (!finding.ok()) {
     if (!process::InterruptGuard::interrupted()) {
       if (options.keep || options.resume) return finding.error();
+      std::error_code error;
+      if (!std::filesystem::exists(place->state(), error)) return place->remove(), finding.error();  // nothing answered
       std::cerr << "tumble bisect: note: the clone and the answers stay in " << printable(place->root())
                 << ", for --resume or to be deleted\n";
       return finding.error();

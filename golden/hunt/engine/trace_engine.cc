@@ -15,6 +15,7 @@
 #include "golden/hunt/judge/unmet.h"
 #include "golden/hunt/scene/scene_text.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "src/process/run_child.h"
 #include "src/world/edit_bodies.h"
 #include "tumble/replay/log_reader.h"
@@ -148,6 +149,9 @@ Result<sim::World> world_of(const sim::SceneDef& scene) {
   return sim::create_world(by_id);
 }
 
+/// In one line, as findings are.
+std::string what_it_printed(const fs::path& said) { return replaced(golden::end_of_output(said), "\n", " | "); }
+
 }  // namespace
 
 Result<Trace> trace_of_log(replay::LogReader& log, const sim::SceneDef& scene, const golden::EngineProject& project) {
@@ -188,7 +192,7 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
       process::run_child(child, project.timeout_s > 0 ? project.timeout_s : kPatience);
   if (end.ok() && end->late) process::end_own_group();
   if (!end.ok()) return cannot_finish("the engine does not start: " + end.error().message);
-  if (end->exit == kRefused) return bad_input("the engine refuses the scene" + golden::end_of_output(said));
+  if (end->exit == kRefused) return bad_input("the engine refuses the scene" + what_it_printed(said));
   const auto fails = [&](std::string why) {
     trace.failure = std::move(why);
     trace.states.push_back(start->state());
@@ -196,7 +200,7 @@ Result<Trace> trace_engine(const golden::EngineProject& project, const sim::Scen
   };
   std::error_code ignored;  // it may have written nothing
   if (fs::is_regular_file(files.log, ignored)) fs::copy_file(files.log, ran->wrote, ignored);
-  if (!end->well()) return fails("the engine " + end->text() + golden::end_of_output(said));
+  if (!end->well()) return fails("the engine " + end->text() + what_it_printed(said));
   if (const Status ok = golden::rewrite_table(files.log, project.table, project.folder); !ok.ok())
     return fails(ok.error().message);
   const Result<golden::SessionLog> session =
