@@ -140,6 +140,14 @@ constexpr std::array kSlips = {
          "1e-3\nsize = [0.01, 0.0001, 0.0001]\nposition = [0, 0, 0.002]\norientation = [1, 0.1, 0.2, "
          "0.3]\nvelocity = [0, 0, -8000]\n",
          "step 1, phase integrate_positions: body 1 (0.001 kg) on the ground: found spin ("},
+    Slip{"a body that four others hit at one time ends the session",
+         "[world]\nmethod = \"thesis\"\nsteps = 1\ndt = 1e-7\nground = false\ngravity = [0, 0, 0]\n[material]\n"
+         "restitution = 0\n[[box]]\nposition = [0, 0, 0]\n[[box]]\nmass = 1e7\nposition = [0.999, 0, 0]\nvelocity = "
+         "[-7000, 0, 0]\n[[box]]\nmass = 1e7\nposition = [-0.999, 0, 0]\nvelocity = [7000, 0, 0]\n[[box]]\nmass = "
+         "1e7\nposition = [0, 0.999, 0]\nvelocity = [0, -7000, 0]\n[[box]]\nmass = 1e7\nposition = [0, -0.999, "
+         "0]\nvelocity = [0, 7000, 0]\n",
+         "step 1, phase compute_impulses: body 1: found gains of 27999.9972 m/s or rad/s together in one substep, "
+         "wanted at most 24576, where their sum is exact; use smaller speeds, a smaller dt or less extreme masses"},
     Slip{"a body that slides out of the world ends the session",
          "[world]\nsteps = 9\nmethod = \"layered\"\n[material]\nfriction = 0\n[[box]]\nposition = [32767.5, 0, "
          "0.5]\nvelocity = [100, 0, 0]\n",
