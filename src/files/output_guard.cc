@@ -72,6 +72,7 @@ Status OutputGuard::outside_kept_folders(const std::string& option, const fs::pa
 }
 
 Status OutputGuard::claim(const std::string& option, const fs::path& path) {
+  if (path == "-") return refused(option, path, "is no name of an output; name a file, ./- for one of that name");
   const fs::path place = resolved(path);
   const std::optional<FileIdentity> identity = identity_of(place);
   std::error_code ignored;

@@ -54,6 +54,21 @@ TEST(BadUsage, OptionsNameWhatWasFoundAndWanted) {
   EXPECT_FALSE(std::filesystem::exists(shop.path("s.tumble"))) << "a refused session must not leave a log";
 }
 
+TEST(BadUsage, ADashIsNoOutput) {
+  const Workshop shop;
+  shop.write("s.toml", kSmallScene);
+  shop.write("a.csv",
+             "# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,"
+             "orientation.z\n0,1,0,0,5,1,0,0,0\n");
+  EXPECT_EQ(shop.run({"record", "s.toml", "--quiet"}).exit, 0);
+  for (const Words& command : {Words{"record", "s.toml", "-o", "-"}, Words{"import", "a.csv", "-o", "-"},
+                               Words{"measure", "s.tumble", "--series", "-"}}) {
+    expect_error(shop.run(command), 2, "tumble " + command.front(), {": -: is no name of an output"});
+    EXPECT_FALSE(std::filesystem::exists(shop.path("-"))) << command.front();
+  }
+  EXPECT_EQ(shop.run({"import", "a.csv", "-o", "./-"}).exit, 0);
+}
+
 TEST(BadUsage, WhatIsToBeImportedIsSaidToBe) {
   const Workshop shop;
   shop.write("a.csv", "# dt: 0.01\nstep,id,position.x\n0,1,0\n");

@@ -29,6 +29,7 @@ TEST(EngineAxes, EveryCommandNamesOneFieldAlike) {
     const std::string text = shop.run(command).out;
     EXPECT_TRUE(says(text, "position.y")) << command.front() << text;
     EXPECT_FALSE(says(text, "position.z")) << command.front() << text;
+    EXPECT_TRUE(says(text, "1  (ball)")) << command.front() << text;
     command.emplace_back("--json");
     const ordered_json first = parsed(shop.run(command))["first"];
     EXPECT_EQ(first["field"], "position.y") << command.front();

@@ -24,8 +24,9 @@ Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b
       *a, *b, [](std::uint64_t, std::uint64_t) { return !process::InterruptGuard::interrupted(); });
   if (!located.ok()) return located.error();
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (located->report.first) name_bodies(*a, *b, *located->report.first);
   replay::name_by_own_axes(a->header(), b->header(), located->report, nullptr);
-  const Sides sides = sides_of(path_a, path_b);
+  const Sides sides = sides_of(*a, *b);
   const std::string excused =
       shared ? std::exchange(located->report.only_in, {}).text(sides.expected, sides.actual) : "";
   const replay::DiffReport& report = located->report;

@@ -107,6 +107,7 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
     comparison.not_compared = difference.error().message;
     return comparison;
   }
+  name_bodies(*before, *after, difference->first);
   comparison.report.first = difference->first;
   replay::name_by_own_axes(before->header(), after->header(), comparison.report, &*difference);
   comparison.difference = *std::move(difference);
