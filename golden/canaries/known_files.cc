@@ -205,6 +205,25 @@ std::string links_claimed(const fs::path& folder) {
   return known ? "as known" : found;
 }
 
+// Two links that lead to one another: an output by them is made or refused within seconds.
+std::string links_in_a_circle(const fs::path& folder) {
+  std::error_code error;
+  fs::create_symlink("b", folder / "a", error);
+  fs::create_symlink("a", folder / "b", error);
+  if (error) return "as known";  // no links there
+  process::PoolOptions options;
+  options.cpu_s = 5;
+  std::string found;
+  process::run_jobs(
+      1,
+      [&folder](std::size_t) {
+        const Result<files::OutputFile> file = files::OutputFile::create((folder / "a").string());
+        return file.ok() ? "as known" : file.error().message;
+      },
+      [&found](std::size_t, const process::JobResult& child) { found = child.failure + child.output; }, options);
+  return found;
+}
+
 // In an empty folder of its own.
 template <class Find>
 auto in_scratch(Find find) {
@@ -227,6 +246,7 @@ void run_known_files(CanaryRoll& roll) {
              "refused, with the process, mode 438, taken later");
   roll.known("a folder of outputs holds nothing that must stay", in_scratch(folder_claimed),
              "suite refused, suite/case refused, suite/case/deep refused, free taken, free/deep taken, new taken, ");
+  roll.known("links in a circle end", in_scratch(links_in_a_circle));
   roll.known("a file that must stay is found by every way to it", in_scratch(links_claimed));
 }
 
