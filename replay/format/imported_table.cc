@@ -31,7 +31,7 @@ Vec3 reflected(const Vec3& v, int up) { return up == 2 ? Vec3(v.x(), -v.y(), v.z
 // A left-handed engine is reflected first, along an axis of its own that lies level: up stays up. Then the axes are
 // permuted cyclically until "up" is z, which keeps the handedness; y up needs one sign besides. No value is rounded.
 Vec3 EngineAxes::direction(const Vec3& v) const {
-  const Vec3 right = left_handed ? reflected(v, up) : v;
+  Vec3 right = left_handed ? reflected(v, up) : v;
   if (up == 0) return {right.y(), right.z(), right.x()};
   if (up == 1) return {right.x(), -right.z(), right.y()};
   return right;

@@ -164,7 +164,7 @@ TEST(ImportArrays, MessagesNameStepAndBodyAndNoLine) {
     const Result<LogReader> log = import(arrays);
     return log.ok() ? "no error" : log.error().message;
   };
-  const auto numbers = [](const std::string& name, std::vector<double> values) {
+  const auto numbers = [](const std::string& name, const std::vector<double>& values) {
     return array_of(name, Array::Kind::kFloat, values);
   };
   EXPECT_TRUE(said(numbers("mass", {1, -1})).starts_with("t.npz: step 0, body ")) << said(numbers("mass", {1, -1}));

@@ -51,10 +51,11 @@ TEST(EngineAxes, ABodyOnTheGroundIsOnItInAxesOfEitherHand) {
         rows += std::to_string(k) + ",1," + (up == "x" ? height : "0") + "," + (up == "y" ? height : "0") + "," +
                 (up == "z" ? height : "0") + ",1,0,0,0\n";
       }
-      shop.write("fall.csv", "# up: " + up + "\n# handed: " + hand + "\n# length: cm\n# dt: 0.01\n" +
-                                 "# size: 100 100 100\nstep,id,position.x,position.y,position.z,orientation.w,"
-                                 "orientation.x,orientation.y,orientation.z\n" +
-                                 rows);
+      std::string table = "# up: ";
+      table.append(up).append("\n# handed: ").append(hand).append("\n# length: cm\n# dt: 0.01\n# size: 100 100 100\n");
+      table.append(
+          "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z\n");
+      shop.write("fall.csv", table.append(rows));
       ASSERT_EQ(shop.run({"import", "fall.csv"}).exit, 0) << up << hand;
       const ordered_json found = parsed(shop.run({"measure", "fall.tumble", "--json"}));
       EXPECT_EQ(found["stacking"]["lost"], 0) << up << hand;
