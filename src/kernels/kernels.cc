@@ -64,7 +64,9 @@ template <int kWidth>
   bool any_due = false, any_settled = false;
   for (std::size_t k = 0; k < work.count; ++k) {
     const bool passed_by = sweep == Sweep::kRestitution && !work.batches[k].bounces;
-    const unsigned due = passed_by ? 0 : due_lanes(work.visit, work.sides[k]);
+    const BatchSides& sides = work.sides[k];
+    const std::uint8_t* const sweeps = sweep == Sweep::kPart ? sides.parting : sides.sweeps;
+    const unsigned due = passed_by ? 0 : due_lanes(work.visit, sides) & lanes_in_sweep(sweeps, work.visit.sweep);
     if (due == 0 && work.leaves_old) {
       any_settled = true;
       continue;

@@ -12,4 +12,8 @@ inline Vec3 box_inertia(double mass_kg, const Vec3& size) {
   return {mass_kg * (yy + zz) / 12, mass_kg * (xx + zz) / 12, mass_kg * (xx + yy) / 12};
 }
 
+/// The largest moment of inertia over the smallest, from which a body is slender.
+inline constexpr double kSlender = 16;
+inline bool is_slender(const Vec3& inertia) { return inertia.maxCoeff() > kSlender * inertia.minCoeff(); }
+
 }  // namespace tumble::sim

@@ -77,7 +77,7 @@ void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
 }
 
 void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
-  const LevelScratch& l = s.levels;
+  const IslandScratch& i = s.islands;
   const WeightScratch& w = s.weights;
   const SweepShares& shares = s.shares;
   parts.push_back(
@@ -96,7 +96,8 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                        held_inside(s.visits.layers)});
   parts.push_back(
       {"levels, islands and sleep", GrowsWith::kBodies,
-       held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies, s.waves.start,
+       held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked, i.layers,
+               i.bodies, i.deepest, i.reach2, i.heaviest, s.graph.start, s.graph.next, s.waves.bodies, s.waves.start,
                w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck,
                w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.woken,
                s.waking.wakes, s.sleeping.touching, s.sleeping.least, s.sleeping.restless, s.sleeping.held,

@@ -117,10 +117,15 @@ struct WaveScratch {
   std::uint32_t pushed[3] = {};      ///< bodies of three waves that follow one another
 };
 
-/// Memory of assign_levels.
-struct LevelScratch {
-  std::vector<std::uint8_t> marked, in_hard;  ///< by the body that stands for an island; by body
-  std::vector<std::uint32_t> next;            ///< by worker and layer, while manifolds are sorted by layer
+/// The islands of a step. assign_levels writes the first three.
+struct IslandScratch {
+  std::vector<BodyIndex> of, hit;                  ///< by body, the one that stands for its island; for those of hits
+  std::vector<std::uint8_t> hard;                  ///< by body, whether its island is hard
+  std::vector<std::uint8_t> sweeps;                ///< by body, of its contacts in push_contacts and relax_contacts
+  std::vector<std::uint8_t> marked;                ///< by the body that stands for an island
+  std::vector<std::uint8_t> most_sweeps, has_bar;  ///< by the body that stands for an island of hits; of its bodies
+  std::vector<std::uint32_t> layers, bodies;       ///< likewise, numbers
+  std::vector<double> deepest, reach2, heaviest;   ///< likewise, m, m², kg; of overlaps, corners, masses
 };
 
 /// Memory of carry_weights.

@@ -255,7 +255,8 @@ struct Scratch {
   WaveScratch waves;                    ///< of assign_levels, then of carry_weights
   std::vector<BodyIndex> island_links;  ///< memory of Islands, of one phase at a time
   WakeScratch waking;
-  LevelScratch levels;
+  IslandScratch islands;
+  std::vector<std::uint32_t> next_in_layer;  ///< by worker and layer, while assign_levels sorts manifolds by layer
   WeightScratch weights;
   SleepScratch sleeping;
 

@@ -103,7 +103,8 @@ TEST(HuntLaws, ApplyToTheSceneThatIsMadeForThem) {
                                    {"bounce", kDrop},
                                    {"standing", kTower},
                                    {"energy", kDrop},
-                                   {"inserted", kPair}}) {
+                                   {"inserted", kPair},
+                                   {"elsewhere", kTower}}) {
     const Judgement found = judge(name, traced(text));
     EXPECT_EQ(found.outcome, Outcome::kHeld) << name << ": " << found.what;
   }
@@ -220,7 +221,7 @@ TEST(HuntLaws, SeeWhatDepartsFromItsFormula) {
 TEST(HuntRelations, SeeTheLeastBit) {
   const Trace trace = tampered(
       kPair, 25, [](sim::Bodies& b) { b.position.x[1] += sim::PositionGrid::kStep; }, false);
-  for (const char* name : {"ids", "mirror_x", "mirror_y", "swap_xy", "shift", "repeat", "lanes", "inserted"}) {
+  for (const char* name : {"ids", "mirror_x", "mirror_y", "swap_xy", "shift", "repeat", "lanes", "inserted", "elsewhere"}) {
     expect_broken(name, trace, 25);
     EXPECT_EQ(judge(name, trace).body, 7U) << name;
   }

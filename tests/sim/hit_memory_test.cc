@@ -31,13 +31,19 @@ void add(SceneDef& scene, const Vec3& size, const Vec3& position, const Vec3& ve
   scene.boxes.back().material = material;
 }
 
-// The first step stops the box almost a centimetre above the ground, which it does not reach in the second.
+// The second step stops the box some millimetres above a plate that has rested for a step; it does not reach the plate
+// in the third.
 TEST(AfterAHit, ABoxThatMeetsNothingFallsOnAlone) {
   SceneDef scene = layered(0.02, 4, kRough);
-  add(scene, {0.6, 0.6, 0.58}, {0, 0, 0.354}, {2, 0, -2.6}, kRough);
+  add(scene, {0.6, 0.6, 0.58}, {0, 0, 0.904038}, {2, 0, -2.4038}, kRough);
+  add(scene, {6, 6, 0.5}, {0, 0, 0.25}, {0, 0, 0}, kRough);
+  scene.boxes[1].mass = 1e6;
   World world = made(scene);
   advance(world);
+  advance(world);
   const Vec3 before = world.bodies().velocity[0];
+  ASSERT_GT(before.z(), -0.1) << "stopped";
+  ASSERT_GT(world.bodies().position[0].z(), 0.5 + 0.29 + 0.002) << "above the plate";
   advance(world);
   const Vec3 after = world.bodies().velocity[0];
   EXPECT_NEAR(after.x(), before.x(), 1e-9);

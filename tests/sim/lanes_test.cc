@@ -55,7 +55,7 @@ struct RandomContacts {
   ContactWork next_visit(bool begins) {
     if (begins) first = ++now;
     return {batches.data(),      sides.data(),   batches.size(), points.data(), bodies.data(),
-            outcomes.data()->of, entries.data(), 0.01,           kPushPart,     {moved.data(), ++now, first, 0.05}};
+            outcomes.data()->of, entries.data(), 0.01,           kPushPart,     {moved.data(), ++now, first, 0, 0.05}};
   }
 
  private:

@@ -39,6 +39,8 @@ class FallingBoxes {
   }
   void leave_old() { leaves_old_ = true; }
   void begin() { first_ = ++now_; }
+  void begin_sweep(std::uint32_t number) { sweep_ = number; }
+  void set_sweeps(unsigned lane, std::uint8_t sweeps) { sides_.sweeps[lane] = sweeps; }
   void note_moved(std::uint32_t body) { moved_[body] = now_; }
 
   double& speed(std::uint32_t body) { return bodies_[body * kSolverBodyDoubles + 2]; }
@@ -71,7 +73,7 @@ class FallingBoxes {
   }
   ContactWork work() {
     return {&batch_,         &sides_,         1,         &point_, bodies_.data(),
-            outcomes_[0].of, entries_.data(), 1.0 / 100, 1.0 / 3, {moved_.data(), now_, first_, kStill},
+            outcomes_[0].of, entries_.data(), 1.0 / 100, 1.0 / 3, {moved_.data(), now_, first_, sweep_, kStill},
             leaves_old_};
   }
 
@@ -83,7 +85,7 @@ class FallingBoxes {
   std::vector<double> bodies_;
   std::vector<Outcome> outcomes_ = std::vector<Outcome>(2 * kLanes);
   std::vector<std::uint32_t> entries_, moved_;
-  std::uint32_t now_ = 0, first_ = 0;
+  std::uint32_t now_ = 0, first_ = 0, sweep_ = 0;
   bool leaves_old_ = false;
   Due due_ = Due::kNone;
 };
@@ -113,6 +115,22 @@ TEST_P(Visits, NewSweepsSolveAllContacts) {
   boxes.set_impulse(0, 0.25);
   EXPECT_TRUE(boxes.solve());
   EXPECT_NE(boxes.impulse(0), 0.25);
+}
+
+// An island has had its sweeps while others go on.
+TEST_P(Visits, AContactWhoseSweepsAreOverIsNotSolved) {
+  FallingBoxes boxes(GetParam());
+  boxes.set_sweeps(2, 3);
+  boxes.set_sweeps(7, 4);
+  boxes.begin();
+  boxes.begin_sweep(3);
+  EXPECT_TRUE(boxes.solve());
+  for (unsigned lane = 0; lane < kLanes; ++lane) EXPECT_EQ(boxes.impulse(lane) != 0, lane == 7) << "lane " << lane;
+  boxes.begin_sweep(4);
+  boxes.set_impulse(7, 0.25);
+  boxes.note_moved(7);
+  EXPECT_FALSE(boxes.solve());
+  EXPECT_EQ(boxes.impulse(7), 0.25);
 }
 
 TEST_P(Visits, OnlyTheContactsOfBodiesThatMovedAreSolved) {

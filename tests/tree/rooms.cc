@@ -21,7 +21,8 @@ const Folders kSim = kWorld + Folders{"src/step"};
 
 std::vector<Room> simulation() {
   const Folders find = kWorld + Folders{"src/collide"};
-  const Folders order = find + Folders{"src/layered/find"};
+  const Folders islands = find + Folders{"src/layered/find"};
+  const Folders order = islands + Folders{"src/layered/islands"};
   const Folders solve = order + Folders{"src/layered/order"};
   return {
       {"src/base", {}},
@@ -35,6 +36,7 @@ std::vector<Room> simulation() {
       {"src/thesis/ground", kWorld},
       {"src/thesis", find + Folders{"src/thesis/ground"}},
       {"src/layered/find", find},
+      {"src/layered/islands", islands},
       {"src/layered/order", order},
       {"src/layered/solve", solve},
       {"src/step", solve + Folders{"src/layered/solve", "src/thesis"}},

@@ -3,18 +3,20 @@
 #include <algorithm>
 
 #include "golden/hunt/judge/same_bits.h"
+#include "golden/hunt/scene/neighbours.h"
 
 namespace tumble::hunt {
 namespace {
 
 // Two sessions of the engine, the second of the scene under a transform.
-Judgement compare(const Trace& one, const Trace& other, const sim::Transform& transform, const sim::IdMap& ids) {
+Judgement compare(const Trace& one, const Trace& other, const sim::Transform& transform, const sim::IdMap& ids,
+                  Others others = Others::kNone) {
   if (!one.failure.empty()) return not_applicable("the first session: " + one.failure);
   if (other.other_bodies) return broken(*other.other_bodies, 0, "the other session: " + other.failure);
   const std::size_t states = std::min(one.states.size(), other.states.size());
   for (std::size_t k = 0; k < states; ++k) {
     const auto difference =
-        first_difference(one.states[k].bodies, other.states[k].bodies, transform, ids, Signs::kAlike);
+        first_difference(one.states[k].bodies, other.states[k].bodies, transform, ids, Signs::kAlike, others);
     if (difference) return parted(k, *difference);
   }
   if (one.states.size() == other.states.size() && other.failure.empty()) return held();
@@ -43,12 +45,21 @@ Judgement judge_engine_inserted(const Trace& trace) {
   return compare_with(trace, reversed);
 }
 
+Judgement judge_engine_elsewhere(const Trace& trace) {
+  const std::optional<Neighboured> both = with_neighbours(trace.scene);
+  if (!both) return not_applicable("no room for others");
+  const Result<Trace> other = trace.again(both->scene);
+  if (!other.ok()) return not_applicable("no scene with others: " + other.error().message);
+  return compare(trace, *other, {}, {}, Others::kAllowed);
+}
+
 }  // namespace
 
 Judgement judge_engine(const std::string& relation, const Trace& trace) {
   sim::Transform transform;
   if (relation == "repeat") return compare_with(trace, trace.scene);
   if (relation == "inserted") return judge_engine_inserted(trace);
+  if (relation == "elsewhere") return judge_engine_elsewhere(trace);
   if (relation == "ids") {
     transform.permute = kPermutation;
   } else if (relation == "mirror_x") {

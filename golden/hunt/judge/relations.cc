@@ -60,6 +60,7 @@ constexpr std::array kRelations = {
     Relation{"lanes", "no width of lanes changes a bit", false, judge_lanes},
     Relation{"resumed", "each step taken from a snapshot has the same bits", false, judge_resumed},
     Relation{"inserted", "the order in which bodies are added changes no bit", false, judge_inserted},
+    Relation{"elsewhere", "what happens far away changes no bit", false, judge_elsewhere},
     Relation{"replayed", "a recorded session reads back and replays to the same bits", false, judge_replayed},
 };
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "golden/hunt/scene/neighbours.h"
 #include "replay/log/byte_memory.h"
 #include "src/base/text.h"
 #include "tumble/replay/player.h"
@@ -46,6 +47,8 @@ Values values_of(const sim::Bodies& bodies, BodyIndex i, const Transform& t) {
           static_cast<double>(bodies.frozen[i])};
 }
 
+constexpr double kNear = 1000;  // m
+
 constexpr unsigned kThreads = 3;
 constexpr std::size_t kThreadedSteps = 2;
 
@@ -85,7 +88,8 @@ Judgement compare_session(const Trace& trace, replay::Session& session) {
 }  // namespace
 
 std::optional<ValueDifference> first_difference(const sim::Bodies& original, const sim::Bodies& image,
-                                                const Transform& transform, const sim::IdMap& ids, Signs signs) {
+                                                const Transform& transform, const sim::IdMap& ids, Signs signs,
+                                                Others others) {
   for (BodyIndex i = 0; i < original.size(); ++i) {
     const auto j = image.find(image_of(original.id[i], ids));
     if (!j) return ValueDifference{original.id[i], "body", 1, 0};
@@ -97,7 +101,7 @@ std::optional<ValueDifference> first_difference(const sim::Bodies& original, con
       if (!same_bits(wanted[k], found[k])) return ValueDifference{original.id[i], kFields[k], wanted[k], found[k]};
     }
   }
-  if (image.size() > original.size()) return ValueDifference{0, "number of bodies", 0, 0};
+  if (others == Others::kNone && image.size() > original.size()) return ValueDifference{0, "number of bodies", 0, 0};
   return std::nullopt;
 }
 
@@ -189,6 +193,17 @@ Judgement judge_threads(const Trace& trace) {
   return held();
 }
 
+namespace {
+
+bool comes_near(const sim::Bodies& bodies, double where) {
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (bodies.position[i].x() > where - kNear) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Judgement judge_inserted(const Trace& trace) {
   if (trace.scene.boxes.size() < 2) return not_applicable("one body has one order");
   for (const sim::BoxDef& box : trace.scene.boxes) {
@@ -210,6 +225,25 @@ Judgement judge_inserted(const Trace& trace) {
     if (!taken.ok()) return failed(k + 1, taken.error().message);
     const auto difference = first_difference(trace.after(k).bodies, session->world().bodies(), {}, {});
     if (difference) return parted(k + 1, *difference);
+  }
+  return held();
+}
+
+Judgement judge_elsewhere(const Trace& trace) {
+  if (trace.scene.world.method == sim::Method::kThesis) {
+    return not_applicable("method thesis halves a step for all bodies at once");
+  }
+  const std::optional<Neighboured> both = with_neighbours(trace.scene);
+  if (!both) return not_applicable("no room for others");
+  Result<replay::Session> session = replay::Session::start(both->scene);
+  if (!session.ok()) return not_applicable("no scene with others: " + session.error().message);
+  for (std::size_t k = 0; k <= trace.steps.size(); ++k) {
+    if (k > 0 && !session->step().ok()) return not_applicable("the others end the session");
+    const sim::Bodies& bodies = trace.states[k].bodies;
+    if (comes_near(bodies, both->where)) return not_applicable("a body comes near the others");
+    const auto difference =
+        first_difference(bodies, session->world().bodies(), {}, {}, Signs::kApart, Others::kAllowed);
+    if (difference) return parted(k, *difference);
   }
   return held();
 }

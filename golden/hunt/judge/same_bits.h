@@ -24,6 +24,9 @@ struct ValueDifference {
 /// neither sign.
 enum class Signs : std::uint8_t { kApart, kAlike };
 
+/// Whether the second set may have bodies that the first one lacks.
+enum class Others : std::uint8_t { kNone, kAllowed };
+
 /// The shift and the order of ids of the relations `shift` and `ids`.
 inline const sim::Vec3 kShift = {1024, -512.5, 0};
 inline constexpr std::uint64_t kPermutation = 0xfeed;
@@ -32,7 +35,7 @@ inline constexpr std::uint64_t kPermutation = 0xfeed;
 /// transform. None: all agree.
 std::optional<ValueDifference> first_difference(const sim::Bodies& original, const sim::Bodies& image,
                                                 const sim::Transform& transform, const sim::IdMap& ids,
-                                                Signs signs = Signs::kApart);
+                                                Signs signs = Signs::kApart, Others others = Others::kNone);
 
 /// The phase of the first hash in which two steps of one method part; empty where all agree.
 std::string first_phase(sim::Method method, const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b);
@@ -66,6 +69,9 @@ Judgement judge_resumed(const Trace& trace);
 
 /// Bodies added one by one in another order before the first step.
 Judgement judge_inserted(const Trace& trace);
+
+/// The scene with others far away (with_neighbours), of which no bit may show.
+Judgement judge_elsewhere(const Trace& trace);
 
 /// Recorded into a log, whose states and hashes are compared; then replayed from its first and its middle state.
 Judgement judge_replayed(const Trace& trace);

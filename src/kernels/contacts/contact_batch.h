@@ -48,6 +48,8 @@ struct BodyOutcomes {
 struct alignas(32) BatchSides {
   std::uint32_t a[kLanes] = {}, b[kLanes] = {};  ///< rows of solver_bodies; the ground is the row after the last body
   std::uint32_t visited[kLanes] = {};            ///< number of the visit that solved each manifold last (Visit)
+  /// Sweeps that solve each manifold, at most 127: in push_contacts and relax_contacts, and in part_overlaps.
+  std::uint8_t sweeps[kLanes] = {1, 1, 1, 1, 1, 1, 1, 1}, parting[kLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 };
 /// A value of `visited` that is never due, of lanes that are not used; larger than the number of any visit.
 inline constexpr std::uint32_t kNeverDue = 0x7fffffff;
@@ -59,7 +61,7 @@ struct ContactBatch {
   std::uint32_t members = 0;           ///< first of its manifolds in ContactBatches::order
   std::uint32_t first = 0, count = 0;  ///< its points
   bool bounces = false;                ///< one of its points met fast enough to bounce
-  bool hard = false;                   ///< belongs to a hard island (assign_levels)
+  std::uint8_t hard = 0;               ///< a bit a lane: the manifold belongs to a hard island (assign_levels)
   std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce

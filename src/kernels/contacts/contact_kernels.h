@@ -28,6 +28,7 @@ struct Visit {
   std::uint32_t* moved = nullptr;  ///< by row of the bodies: number of the last visit that moved it
   std::uint32_t now = 0;           ///< number of this visit; they ascend within a step
   std::uint32_t first = 0;         ///< number with which these sweeps began
+  std::uint32_t sweep = 0;         ///< sweeps before this one; BatchSides has how many a manifold gets
   double still = 0;                ///< m/s or rad/s; a body moves where a number of its motion changes by more
 };
 

@@ -181,7 +181,14 @@ V largest_row_sum(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
 
 template <class V>
 void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
-  const double over = m.batch->hard ? kHardRelaxation : kOverRelaxation;
+  V over = V{} + kOverRelaxation;
+  if (m.batch->hard != 0) {
+    Lanes of;
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+      of.of[lane] = (m.batch->hard >> lane & 1U) != 0 ? kHardRelaxation : kOverRelaxation;
+    }
+    over = m.get(of);
+  }
   m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / largest_row_sum(m, plane))));
   const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),
                          plane.sp.w2};

@@ -42,6 +42,19 @@ inline unsigned due_lanes(const Visit& visit, const BatchSides& sides) {
 #endif
 }
 
+// The lanes that get more than `sweep` sweeps, a bit each. sweeps: of each lane, at most 127.
+inline unsigned lanes_in_sweep(const std::uint8_t* sweeps, std::uint32_t sweep) {
+#ifdef __AVX2__
+  const __m128i more = _mm_cmpgt_epi8(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(sweeps)),
+                                      _mm_set1_epi8(static_cast<char>(sweep)));
+  return static_cast<unsigned>(_mm_movemask_epi8(more)) & 0xffU;
+#else
+  unsigned lanes = 0;
+  for (unsigned lane = 0; lane < kLanes; ++lane) lanes |= static_cast<unsigned>(sweeps[lane] > sweep) << lane;
+  return lanes;
+#endif
+}
+
 inline void note_visit(const Visit& visit, BatchSides& sides, unsigned due) {
   for (unsigned lane = 0; lane < kLanes; ++lane) {
     if ((due >> lane & 1U) != 0) sides.visited[lane] = visit.now;

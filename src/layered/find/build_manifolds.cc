@@ -93,9 +93,9 @@ class Builder {
 
  private:
   double turning(BodyIndex i) const { return scratch_.turning[i]; }
-  // Whether corners leave their tangents by more than contacts allow, or the pair may bounce. hi may be kGround.
+  // Whether corners leave their tangents by more than contacts allow, or the pair may meet fast. hi may be kGround.
   bool listed_as_fast(BodyIndex lo, BodyIndex hi) {
-    if (!may_bounce(state_, scratch_, lo, hi, dt_) && !must_be_followed(scratch_, paths_, lo, hi)) return false;
+    if (!meets_fast(state_, scratch_, lo, hi, dt_) && !must_be_followed(scratch_, paths_, lo, hi)) return false;
     out_.fast_pairs.emplace_back(lo, hi);
     return true;
   }

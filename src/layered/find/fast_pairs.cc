@@ -44,6 +44,22 @@ double bend_of(const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   return hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
 }
 
+// Whether bodies that are apart, or touch, close faster along what separates them than by `most`, m in dt_s. Bodies
+// that begin a session in one another, or slide on one another, meet nothing.
+bool close_by_more(const Scratch& scratch, BodyIndex lo, BodyIndex hi, const Vec3& velocity, double most, double dt_s) {
+  const BoxFrame& a = scratch.frames[lo];
+  if (hi == kGround) {
+    return -velocity.z() * dt_s > most && a.position.z() - reach_along(a, 2) >= -kSlop;
+  }
+  const BoxPair boxes(a, scratch.frames[hi]);
+  const BestAxes apart = boxes.best(kFaces | kEdges);
+  if (apart.separation < -kSlop) return false;
+  for (unsigned rest = apart.axes; rest != 0; rest &= rest - 1) {
+    if (-dot(velocity, boxes.normal(std::countr_zero(rest))) * dt_s > most) return true;
+  }
+  return false;
+}
+
 // Whether corners leave their tangents by more than contacts allow within a substep.
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   const double bend = bend_of(paths, lo, hi);
@@ -67,15 +83,17 @@ bool passes(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIn
   return !holds_both(scratch, lo, hi) && paths.follow(lo, hi, 0).kind == Approach::Kind::kPassing;
 }
 
-bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s) {
+bool meets_fast(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s) {
   const Bodies& bodies = state.bodies;
   const bool ground = hi == kGround;
   const double e =
       std::max(bodies.restitution[lo], ground ? state.def.ground_material.restitution : bodies.restitution[hi]);
-  if (e == 0 || holds_one(scratch, lo, hi)) return false;
+  if (holds_one(scratch, lo, hi)) return false;
   const Vec3 velocity = ground ? Vec3(bodies.velocity[lo]) : Vec3(bodies.velocity[hi] - bodies.velocity[lo]);
   const double turning = scratch.turning[lo] + (ground ? 0 : scratch.turning[hi]);
-  return length(velocity) * dt_s + turning > kFastBounceMin * dt_s;
+  const double most = kFastBounceMin * dt_s;
+  return length(velocity) * dt_s + turning > most &&
+         (e > 0 || close_by_more(scratch, lo, hi, velocity, most - turning, dt_s));
 }
 
 bool may_meet_if_hit(const Scratch& scratch, BodyIndex lo, BodyIndex hi, double fall, double dt_s) {

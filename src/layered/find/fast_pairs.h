@@ -20,8 +20,9 @@ bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex 
 /// found in the substeps.
 bool passes(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
 
-/// Whether a pair that no contact holds may meet fast enough to bounce. hi may be kGround.
-bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s);
+/// Whether a pair that no contact holds may meet fast enough to bounce or, without restitution, to be stopped as by a
+/// hit: friction of a hit needs its contacts in the substep of the meeting. hi may be kGround.
+bool meets_fast(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s);
 
 /// Whether two bodies, neither of them the ground, may meet if a third stops or hits one of them, or since gravity adds
 /// more than half a thickness to their ways (fall, m): such a pair is looked at again in every substep.

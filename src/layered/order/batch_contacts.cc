@@ -21,6 +21,7 @@ struct LayerList {
   std::span<const std::uint32_t> start;    // by layer, in `members`; one more at the end
   std::uint32_t hard_from = 0;             // layers from this one on belong to hard islands
   double bounce_min = 0;
+  bool of_fast_pairs = false;
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(start.size() - 1); }
 };
@@ -72,8 +73,7 @@ class Grouping {
     batch.used = std::min<std::uint32_t>(kLanes, layers_.start[layer + 1] - batch.members);
     batch.first = all_.counts[k];
     batch.count = all_.counts[k + 1] - all_.counts[k];
-    batch.hard = layer >= layers_.hard_from;
-    batch.turns = batch.hard ? kAllLanes : 0;
+    batch.hard = batch.turns = layer >= layers_.hard_from ? kAllLanes : 0;
     batch.bounce_min = layers_.bounce_min;
   }
 
@@ -104,10 +104,12 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
 // Copies manifolds into the lanes of their batches; unused lanes and points are zero.
 class Filling {
  public:
-  Filling(const WorldState& state, std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points,
-          ContactBatches& all)
+  Filling(const WorldState& state, const IslandScratch& islands, const LayerList& layers,
+          std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, ContactBatches& all)
       : bodies_(state.bodies),
         gravity_(state.def.gravity),
+        islands_(islands),
+        layers_(layers),
         manifolds_(manifolds),
         points_(points),
         all_(all),
@@ -172,21 +174,28 @@ class Filling {
     sides.a[lane] = m.a == kGround ? ground_ : m.a;
     sides.b[lane] = m.b;
     sides.visited[lane] = 0;
+    const BodyIndex mover = moves(m.b) ? m.b : m.a;
+    sides.sweeps[lane] = layers_.of_fast_pairs ? islands_.most_sweeps[islands_.hit[mover]] : islands_.sweeps[mover];
+    sides.parting[lane] = static_cast<std::uint8_t>(sides.sweeps[lane] + 1);
+    if (layers_.of_fast_pairs && islands_.has_bar[islands_.hit[mover]] != 0) {
+      batch.hard = batch.turns = static_cast<std::uint8_t>(batch.hard | 1U << lane);
+    }
     const double lighter = std::min(mass_of(m.a), mass_of(m.b));
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
-    const bool a_falls = m.a != kGround && bodies_.moves(m.a), b_falls = bodies_.moves(m.b);
+    const bool a_falls = moves(m.a), b_falls = moves(m.b);
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
-  double mass_of(BodyIndex i) const {
-    return i == kGround || !bodies_.moves(i) ? std::numeric_limits<double>::max() : bodies_.mass[i];
-  }
+  [[nodiscard]] bool moves(BodyIndex i) const { return i != kGround && bodies_.moves(i); }
+  double mass_of(BodyIndex i) const { return moves(i) ? bodies_.mass[i] : std::numeric_limits<double>::max(); }
   double thickness_of(BodyIndex i) const {
     return i == kGround ? std::numeric_limits<double>::max() : Vec3(bodies_.half_extent[i]).minCoeff();
   }
 
   const Bodies& bodies_;
   const Vec3& gravity_;
+  const IslandScratch& islands_;
+  const LayerList& layers_;
   std::span<const Manifold> manifolds_;
   std::span<const ManifoldPoint> points_;
   ContactBatches& all_;
@@ -194,7 +203,8 @@ class Filling {
 };
 
 void batch_layers(const WorldState& state, const LayerList& layers, std::span<const Manifold> manifolds,
-                  std::span<const ManifoldPoint> points, Workers* workers, ContactBatches& all) {
+                  std::span<const ManifoldPoint> points, Scratch& scratch, ContactBatches& all) {
+  Workers* const workers = scratch.workers;
   Grouping grouping(layers, manifolds, all);
   const unsigned parts = part_count(workers, all.batches.size(), kBatchesAPart);
   all.touched.resize(2 * all.order.size());
@@ -209,7 +219,7 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
     if (worker.first()) grouping.place_points();
     worker.meet();
     const Worker::Share batches = worker.share(all.batches.size());
-    Filling filling(state, manifolds, points, all);
+    Filling filling(state, scratch.islands, layers, manifolds, points, all);
     const auto after = std::upper_bound(all.layer_start.begin(), all.layer_start.end(), batches.begin);
     auto layer = static_cast<std::uint32_t>(after - all.layer_start.begin()) - 1;
     for (auto k = static_cast<std::uint32_t>(batches.begin); k < batches.end; ++k) {
@@ -230,17 +240,17 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
 void batch_contacts(const WorldState& state, Scratch& scratch) {
   const SweepGroup& last = scratch.sweep_groups.back();
   const LayerList layers = {scratch.layered, scratch.layer_start, last.hard ? last.begin : last.end, kBounceMin};
-  batch_layers(state, layers, scratch.manifolds, scratch.manifold_points, scratch.workers, scratch.contact_batches);
+  batch_layers(state, layers, scratch.manifolds, scratch.manifold_points, scratch, scratch.contact_batches);
 }
 
-void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool hard) {
+void batch_fast_contacts(const WorldState& state, Scratch& scratch) {
   const ManifoldList& found = scratch.fast.found;
   std::vector<std::uint32_t>& members = scratch.fast.members;
   members.resize(found.manifolds.size());
   std::iota(members.begin(), members.end(), 0U);
   const std::uint32_t start[] = {0, static_cast<std::uint32_t>(members.size())};
-  const LayerList layer = {members, start, hard ? 0U : 1U, kFastBounceMin};
-  batch_layers(state, layer, found.manifolds, found.points, scratch.workers, scratch.fast.batches);
+  const LayerList layer = {members, start, 1, kFastBounceMin, true};
+  batch_layers(state, layer, found.manifolds, found.points, scratch, scratch.fast.batches);
 }
 
 }  // namespace tumble::sim

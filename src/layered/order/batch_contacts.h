@@ -9,7 +9,7 @@ namespace tumble::sim {
 /// that the body gets. The choice of manifolds that share a batch changes nothing but time.
 void batch_contacts(const WorldState& state, Scratch& scratch);
 
-/// The like for the contacts of fast pairs, in one layer. hard: whether one of their bodies is slender.
-void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool hard);
+/// The like for the contacts of fast pairs, in one layer. Those of a slender body are hard.
+void batch_fast_contacts(const WorldState& state, Scratch& scratch);
 
 }  // namespace tumble::sim

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/layered/islands/island_scale.h"
 #include "src/layered/order/contact_motion.h"
 #include "src/layered/order/find_blows.h"
 #include "src/layered/order/find_supports.h"
@@ -20,9 +21,9 @@ namespace {
 // Weights are passed down a graph: bodies are nodes, and an edge leads from a body to each body or ground that supports
 // it. A body is treated when all supports above have been treated, so its load is complete (a topological order, after
 // Kahn 1962). Then its load is divided among the points under it, and each point's share is added to the body below,
-// together with its moment. The order among ready bodies does not show: shares are rounded to one grid (magic_), so the
-// sums that they enter are exact in any order (src/math/grid.h). Sums over the points under one body, whose terms have
-// no such bound, take their grid from the largest term.
+// together with its moment. The order among ready bodies does not show: shares are rounded to one grid of the island,
+// so the sums that they enter are exact in any order (src/math/grid.h). Sums over the points under one body, whose
+// terms have no such bound, take their grid from the largest term.
 //
 // More than three points under a body leave the loads open: many sets of loads balance the weight. The sweeps would
 // settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
@@ -42,9 +43,7 @@ class Walk {
         gravity_(state.def.gravity),
         tilt_(tilt_of(gravity_)),
         substep_(substep_s),
-        own_(scratch_.weights) {
-    find_scale();
-  }
+        own_(scratch_.weights) {}
 
   /// What one of several workers does.
   void run(const WorldState& state, const Worker& worker) {
@@ -63,9 +62,10 @@ class Walk {
     waves.walk([&](BodyIndex i) {
       find_points(i, points);
       own_.stands[i] = stands(i, points) ? 1 : 0;
-      const double scale = load_points(i, points);
+      const IslandScale scale = scale_of(scratch_.islands, i);
+      const double part = load_points(i, points, scale);
       for (Support& s : supports_of(i)) {
-        pass_down(s, points, scale, worker);
+        pass_down(s, points, part, scale, worker);
         if (s.lower != kGround && worker.add(own_.waiting_for[s.lower], kOneLess) == 1) waves.push(s.lower);
       }
     });
@@ -81,25 +81,6 @@ class Walk {
  private:
   Vec3 seen(const Vec3& place) const { return seen_along(tilt_, place); }
 
-  // Finds reach_, m, from the centre of a body to its corners, at least 1; and the magic number of a grid on which sums
-  // of n masses times lever arms of up to twice the reach are exact.
-  void find_scale() {
-    double squared_reach = 1, heaviest = 0;
-    const unsigned parts = part_count(scratch_.workers, bodies_.size(), kBodiesAPart);
-    work_together(scratch_.workers, parts, [&](const Worker& worker) {
-      double squared = 0, heavy = 0;
-      const Worker::Share share = worker.share(bodies_.size());
-      for (std::size_t i = share.begin; i < share.end; ++i) {
-        if (bodies_.is_static[i] != 0) continue;
-        squared = std::max(squared, dot(bodies_.half_extent[i], bodies_.half_extent[i]));
-        heavy = std::max(heavy, bodies_.mass[i]);
-      }
-      worker.raise(squared_reach, squared);
-      worker.raise(heaviest, heavy);
-    });
-    reach_ = std::sqrt(squared_reach);
-    magic_ = VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies_.size()) * heaviest * reach_) / 2048);
-  }
   // Of a range of bodies.
   void clear(const Worker::Share& share) {
     const auto fill = [&](auto& column, const auto& value) {
@@ -115,10 +96,6 @@ class Walk {
       own_.offered[i] = scratch_.solver_mass[i] = bodies_.mass[i];
     }
   }
-  double rounded(double x) const { return to_grid(magic_, x); }
-
-  // A point where fast bodies will meet may lie farther from where the lower one is now.
-  double lever(double x) const { return std::clamp(x, -2 * reach_, 2 * reach_); }
 
   // kg. The mass lies on no grid, so it is added last.
   double carried(BodyIndex i) const { return bodies_.mass[i] + own_.borne[i]; }
@@ -155,15 +132,15 @@ class Walk {
   }
 
   // Sets the loads of the points. Returns the factor that makes the loads add up to the weight carried.
-  double load_points(BodyIndex i, std::span<SupportPoint> points) const {
+  double load_points(BodyIndex i, std::span<SupportPoint> points, const IslandScale& scale) const {
     const LoadFit f = fit_loads(points, {carried(i), own_.moment_x[i], own_.moment_y[i]}, tilt_.z() != 0);
     for (SupportPoint& point : points) point.load = f.load_at(point.x, point.y);  // kg
-    double total = sum_of_loads(points, magic_);
+    double total = sum_of_loads(points, scale.magic);
     // Points almost in a row get loads far beyond the weight. A sum without negative terms tells of itself that its
     // grid was too narrow.
-    if (total > 1.25 * magic_) {
+    if (total > 1.25 * scale.magic) {
       const double terms = std::max(4.0, static_cast<double>(points.size()));  // as fitting_magic wants it
-      total = sum_of_loads(points, fitting_magic(magic_, largest_load(points) * terms));
+      total = sum_of_loads(points, fitting_magic(scale.magic, largest_load(points) * terms));
     }
     return total > 0 ? carried(i) / total : 0;
   }
@@ -216,7 +193,8 @@ class Walk {
   }
 
   // Other workers add to the lower body too.
-  void pass_down(Support& s, std::span<const SupportPoint> points, double scale, const Worker& worker) {
+  void pass_down(Support& s, std::span<const SupportPoint> points, double part, const IslandScale& scale,
+                 const Worker& worker) {
     const Manifold& m = scratch_.manifolds[s.manifold];
     s.bears = s.first_point < s.end_point;
     s.starts = is_new(m) && rests(m);
@@ -226,12 +204,12 @@ class Walk {
     const Vec3 apart = passes_on ? seen(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
     double moment_x = 0, moment_y = 0;
     for (const SupportPoint& point : points.subspan(s.first_point, s.end_point - s.first_point)) {
-      const double load = point.load * scale;
-      s.load += rounded(load);
+      const double load = point.load * part;
+      s.load += scale.rounded(load);
       point.point->load = load * pull * substep_;
       if (!passes_on) continue;
-      moment_x += rounded(load * lever(point.x + apart.x()));
-      moment_y += rounded(load * lever(point.y + apart.y()));
+      moment_x += scale.rounded(load * scale.lever(point.x + apart.x()));
+      moment_y += scale.rounded(load * scale.lever(point.y + apart.y()));
     }
     if (passes_on && s.bears) {
       worker.add(own_.borne[s.lower], s.load);
@@ -239,7 +217,8 @@ class Walk {
       worker.add(own_.moment_y[s.lower], moment_y);
     }
     const double up = s.upper == m.b ? s.load : -s.load;
-    upward_of(scratch_)[s.upper] += Vec3(rounded(up * m.n.x()), rounded(up * m.n.y()), rounded(up * m.n.z()));
+    upward_of(scratch_)[s.upper] +=
+        Vec3(scale.rounded(up * m.n.x()), scale.rounded(up * m.n.y()), scale.rounded(up * m.n.z()));
   }
 
   const Bodies& bodies_;
@@ -247,7 +226,6 @@ class Walk {
   Vec3 gravity_;
   Vec3 tilt_;
   double substep_;
-  double reach_ = 1, magic_ = 0;
   WeightScratch& own_;
 };
 
@@ -272,6 +250,7 @@ void make_room(Scratch& scratch, std::size_t bodies, unsigned workers) {
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
   const unsigned parts = part_count(scratch.workers, scratch.layered.size(), kManifoldsAPart);
   make_room(scratch, state.bodies.size(), parts);
+  measure_islands(state.bodies, scratch);
   Walk walk(state, scratch, dt_s / state.def.substeps);
   work_together(scratch.workers, parts, [&](const Worker& worker) { walk.run(state, worker); });
   return {};

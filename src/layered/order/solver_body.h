@@ -7,10 +7,6 @@
 
 namespace tumble::sim {
 
-/// The largest moment of inertia over the smallest, from which a body is slender.
-inline constexpr double kSlender = 16;
-inline bool is_slender(const Vec3& inertia) { return inertia.maxCoeff() > kSlender * inertia.minCoeff(); }
-
 /// Sets the world inverse inertia from the principal one: R diag(principal) Rᵀ, each sum in the order x, y, z.
 inline void set_inverse_inertia(SolverBody& body, const Axes& axes, const Vec3& principal) {
   const auto entry = [&](int row, int column) {

@@ -205,12 +205,6 @@ void leave_unmet(const Bodies& bodies, Workers* workers, FastContacts& fast) {
   found.points.resize(points);
 }
 
-bool any_slender(const Bodies& bodies, const FastContacts& fast) {
-  return std::ranges::any_of(fast.bodies, [&](const FastBody& body) {
-    return bodies.moves(body.row) && is_slender(bodies.inertia[body.row]);
-  });
-}
-
 }  // namespace
 
 Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s) {
@@ -225,7 +219,7 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   renew_bodies(state, scratch, substep_s);
   find_manifolds_of(state, scratch, substep_s);
   leave_unmet(state.bodies, scratch.workers, fast);
-  batch_fast_contacts(state, scratch, any_slender(state.bodies, scratch.fast));
+  batch_fast_contacts(state, scratch);
   for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.prepare(part);
     mark_bounces(part);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/islands/sweep_counts.h"
 #include "src/layered/order/share_sweeps.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
@@ -17,13 +18,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kPart = 1.0 / 3;        // of an overlap, removed in a step
-constexpr double kSweepDepth = 0.00005;  // m of overlap that is worth one more sweep
-constexpr double kSweepsMost = 20;
-
-// Sweeps beyond those of a step that is warm: boxes that lie deep in each other from the start jam if few sweeps part
-// them.
-int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
+constexpr double kPart = 1.0 / 3;  // of an overlap, removed in a step
 
 // The overlaps are solved in the columns of the step's own impulses and motions, which wait meanwhile: motions in
 // OverlapScratch, impulses as begin_parting says.
@@ -60,10 +55,12 @@ void end(Scratch& scratch) {
   exchange_motions(scratch, false);
 }
 
-void solve(Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
+void solve(const WorldState& state, Scratch& scratch, ContactWork work, double deepest, Hasher* hasher) {
   work.push_part = kPart;
+  const int more = parting_sweeps(deepest);
+  if (more > 1) count_parting_sweeps(state, scratch);
   begin(scratch, work);
-  sweep_overlaps(scratch, work, more_sweeps(deepest));
+  sweep_overlaps(scratch, work, more);
   const auto move_on = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
   };
@@ -123,7 +120,7 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   own.velocity.reserve(scratch.solver_bodies.capacity());
   own.spin.reserve(scratch.solver_bodies.capacity());
   if (!own.any) return {};
-  solve(scratch, all_contacts(scratch, dt_s), deepest, hasher);
+  solve(state, scratch, all_contacts(scratch, dt_s), deepest, hasher);
   const auto move_bodies = [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       move(state, scratch.solver_bodies[i], i, own, dt_s);

@@ -63,6 +63,7 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
     bool moved = true;
     for (int k = 0; moved && k < most; ++k) {
       moved = false;
+      sweeper.begin_sweep(k);
       for (const SweepGroup& group : scratch.sweep_groups) {
         if (k >= sweeps_of(group, sweep)) continue;
         moved |= sweeper.sweep_once(all, group, layered, k % 2 == 0 ? first : opposite(first));
@@ -90,6 +91,7 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
     for (const SweepGroup& group : scratch.sweep_groups) {
       bool moved = true;
       for (int k = 0; moved && k < group.sweeps + more; ++k) {
+        sweeper.begin_sweep(k);
         moved =
             sweeper.meet(sweeper.sweep_once(all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp));
       }

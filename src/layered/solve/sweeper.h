@@ -25,6 +25,8 @@ class Sweeper {
   void begin() { first_ = ++now_; }
   // Takes those as solved that find_overlaps has marked.
   void go_on() { first_ = scratch_.visits.first; }
+  // What is solved next belongs to the sweep of this number, from 0 on.
+  void begin_sweep(int number) { sweep_ = static_cast<std::uint32_t>(number); }
   // Notes the number of the last visit.
   void finish() const {
     if (worker_.first()) scratch_.visits.now = now_;
@@ -116,7 +118,7 @@ class Sweeper {
   }
   // Whether there is anything to solve.
   bool start(ContactWork& work) {
-    work.visit = {scratch_.visits.moved.data(), ++now_, first_, scratch_.visits.still};
+    work.visit = {scratch_.visits.moved.data(), ++now_, first_, sweep_, scratch_.visits.still};
     return work.count != 0;
   }
 
@@ -180,7 +182,7 @@ class Sweeper {
   const ContactKernels& contacts_;
   Worker worker_;
   std::span<VisitScratch::Layer> layers_;
-  std::uint32_t now_, first_ = 0;
+  std::uint32_t now_, first_ = 0, sweep_ = 0;
   std::uint32_t all_stirred_ = 0;  // as VisitScratch::Layer::stirred, for all layers
 };
 

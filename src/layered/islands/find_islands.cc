@@ -1,0 +1,30 @@
+#include "src/layered/islands/find_islands.h"
+
+#include "src/layered/islands/awake_links.h"
+#include "src/world/islands.h"
+
+namespace tumble::sim {
+namespace {
+
+void note(const Bodies& bodies, Islands& islands, Workers* workers, std::vector<BodyIndex>& of) {
+  of.resize(bodies.size());
+  for_ranges(workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) of[i] = islands.of(i);
+  });
+}
+
+}  // namespace
+
+void find_islands(const WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
+  Islands islands(scratch.island_links, bodies.size(), scratch.workers);
+  const auto join = [&](BodyIndex a, BodyIndex b) {
+    if (!at_rest(bodies, a) && !at_rest(bodies, b)) islands.join(a, b);
+  };
+  for_awake(scratch, [&](const ContactGraph::Link& link) { join(link.a, link.b); });
+  note(bodies, islands, scratch.workers, scratch.islands.of);
+  for (const auto& [a, b] : scratch.fast.pairs) join(a, b);
+  note(bodies, islands, scratch.workers, scratch.islands.hit);
+}
+
+}  // namespace tumble::sim

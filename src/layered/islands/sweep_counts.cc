@@ -1,0 +1,104 @@
+#include "src/layered/islands/sweep_counts.h"
+
+#include <algorithm>
+
+#include "src/layered/islands/awake_links.h"
+#include "src/model/mass.h"
+
+namespace tumble::sim {
+namespace {
+
+// Sweeps grow with the levels: an impulse passes a limited number of levels in one sweep.
+constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
+
+constexpr int kSweepsMax = 10;
+constexpr std::uint32_t kFewestLayers = 2;  // of a body that touches what is at rest, and of one that touches nothing
+constexpr std::uint8_t kHitSweeps = 2;      // else a column that lands goes on into the ground for a substep
+constexpr int kHardSweeps = 20;             // a bar that is pressed at one end turns and passes little on
+
+constexpr double kSweepDepth = 0.00005;  // m of overlap that is worth one more sweep
+constexpr double kPartingMax = 20;
+
+double overlap_of(const ContactBatches& all, const ContactBatch& batch, unsigned lane) {
+  double deepest = 0;
+  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+    deepest = std::max(deepest, -(all.points[k].separation.of[lane] + batch.slop.of[lane]));
+  }
+  return deepest;
+}
+
+// Calls visit(batch, sides, lane, island) for all contacts. Their bodies are those of the manifolds, for the rows in
+// `sides` may be a worker's copies.
+template <class Visit>
+void for_lanes(const Bodies& bodies, Scratch& scratch, Visit visit) {
+  ContactBatches& all = scratch.contact_batches;
+  for_ranges(scratch.workers, all.batches.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const ContactBatch& batch = all.batches[k];
+      for (unsigned lane = 0; lane < batch.used; ++lane) {
+        const Manifold& m = scratch.manifolds[all.order[batch.members + lane]];
+        visit(batch, all.sides[k], lane, scratch.islands.of[at_rest(bodies, m.b) ? m.a : m.b]);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+int sweeps_for(std::uint32_t layers, bool hard) {
+  const int levels = static_cast<int>(layers - 1) / 2;
+  const int sweeps = std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
+  return hard ? std::max(kHardSweeps, sweeps) : sweeps;
+}
+
+int parting_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kPartingMax, deepest / kSweepDepth)); }
+
+void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std::uint8_t> in_hard) {
+  const Bodies& bodies = state.bodies;
+  IslandScratch& own = scratch.islands;
+  const SweepGroup& soft = scratch.sweep_groups[0];
+  const auto is_hard = [&](BodyIndex i) { return !in_hard.empty() && in_hard[i] != 0; };
+  const auto is_bar = [&](BodyIndex i) { return !at_rest(bodies, i) && is_slender(bodies.inertia[i]); };
+  own.layers.assign(bodies.size(), kFewestLayers);
+  own.most_sweeps.assign(bodies.size(), 1);
+  own.has_bar.assign(bodies.size(), 0);
+  for_awake(scratch, [&](const ContactGraph::Link& link) {
+    // The last layer has islands that touch nothing at rest, and so no levels.
+    if (link.layer + 1 < soft.end) shared::raise(own.layers[own.hit[mover_of(bodies, link)]], link.layer + 2);
+  });
+  for (const auto& [a, b] : scratch.fast.pairs) {
+    if (!at_rest(bodies, a) && !at_rest(bodies, b)) own.most_sweeps[own.hit[a]] = kHitSweeps;
+    for (const BodyIndex i : {a, b}) {
+      if (is_bar(i)) own.has_bar[own.hit[i]] = 1;
+    }
+  }
+  own.sweeps.resize(bodies.size());
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      const BodyIndex island = own.hit[i];
+      const auto sweeps = static_cast<std::uint8_t>(sweeps_for(own.layers[island], is_hard(i)));
+      own.sweeps[i] = std::max(sweeps, own.most_sweeps[island]);
+    }
+  });
+  if (scratch.fast.none()) return;
+  // The contacts of fast pairs are solved after each sweep, as long as any contact of their island is swept.
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    std::uint8_t& most = own.most_sweeps[own.hit[i]];
+    most = std::max(most, own.sweeps[i]);
+  }
+}
+
+void count_parting_sweeps(const WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
+  const ContactBatches& all = scratch.contact_batches;
+  std::vector<double>& deepest = scratch.islands.deepest;
+  deepest.assign(bodies.size(), 0);
+  for_lanes(bodies, scratch, [&](const ContactBatch& batch, const BatchSides& sides, unsigned lane, BodyIndex island) {
+    if (sides.visited[lane] == 0) shared::raise(deepest[island], overlap_of(all, batch, lane));
+  });
+  for_lanes(bodies, scratch, [&](const ContactBatch&, BatchSides& sides, unsigned lane, BodyIndex island) {
+    sides.parting[lane] = static_cast<std::uint8_t>(sides.sweeps[lane] + parting_sweeps(deepest[island]));
+  });
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "src/world/scratch.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::sim {
+
+/// How often contacts are swept. Each island has numbers of its own (find_islands.h).
+
+/// Sweeps of push_contacts and relax_contacts for contacts of so many layers.
+int sweeps_for(std::uint32_t layers, bool hard);
+
+/// Sweeps of part_overlaps beyond those, for the deepest overlap, m: boxes that lie deep in each other from the start
+/// jam if few sweeps part them.
+int parting_sweeps(double deepest);
+
+/// Counts the sweeps of each body's contacts, when these have layers. in_hard: find_hard_islands.
+void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std::uint8_t> in_hard);
+
+/// Counts the sweeps of part_overlaps for contacts whose island has overlaps of more than one sweep's worth. The
+/// contacts that overlap are marked (find_overlaps).
+void count_parting_sweeps(const WorldState& state, Scratch& scratch);
+
+}  // namespace tumble::sim

@@ -1,0 +1,98 @@
+// Method layered: boxes that land without bounce and slide on, against Coulomb's law. While the ground stops a fall of
+// speed v, its friction takes μ v from the slide.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::test {
+namespace {
+
+using sim::SceneDef;
+using sim::Vec3;
+using sim::World;
+
+constexpr double kGravity = 9.81;
+
+struct Landing {
+  double height = 1, speed = 8;  // m above the floor; m/s along it
+  double dt = 1.0 / 60;
+  std::uint32_t substeps = 8;
+  double friction = 0.2;
+  bool on_box = false;  // on a static box instead of the ground
+  Vec3 size = {1, 1, 1};
+
+  [[nodiscard]] double fall() const { return std::sqrt(2 * kGravity * height); }  // m/s, at the landing
+};
+
+std::ostream& operator<<(std::ostream& out, const Landing& l) {
+  return out << l.height << " m, " << l.speed << " m/s, dt 1/" << 1 / l.dt << ", substeps " << l.substeps
+             << ", friction " << l.friction << ", size " << l.size.transpose() << (l.on_box ? ", on a box" : "");
+}
+
+SceneDef scene_of(const Landing& l) {
+  SceneDef scene = on_ground();
+  scene.world.method = sim::Method::kLayered;
+  scene.world.dt = l.dt;
+  scene.world.substeps = l.substeps;
+  scene.world.freezing = false;
+  const sim::Material material{.friction = l.friction, .friction_dynamic = l.friction, .restitution = 0};
+  scene.world.ground_material = material;
+  const double floor = l.on_box ? 1 : 0;
+  scene.boxes.push_back(box(1, l.size, {0, 0, floor + l.height + 0.5 * l.size.z()}));
+  scene.boxes.back().velocity = {l.speed, 0, 0};
+  if (l.on_box) {
+    scene.boxes.push_back(box(2, {40, 4, 1}, {15, 0, 0.5}));
+    scene.boxes.back().is_static = true;
+  }
+  for (sim::BoxDef& body : scene.boxes) body.material = material;
+  return scene;
+}
+
+// The part of μ v that the landing has taken, once the box has slid on for a tenth of a second.
+double part_taken(const Landing& l) {
+  const double lands = l.fall() / kGravity, end = std::ceil((lands + 0.1) / l.dt) * l.dt;
+  World world = made(scene_of(l));
+  for (long k = std::lround(end / l.dt); k > 0; --k) advance(world);
+  const double slid_on = l.friction * kGravity * (end - lands);
+  return (l.speed - world.state().bodies.velocity[0].x() - slid_on) / (l.friction * l.fall());
+}
+
+Landing any_landing(Random& random) {
+  constexpr double kSteps[] = {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000};
+  constexpr std::uint32_t kSubsteps[] = {1, 2, 8, 16};
+  Landing l;
+  l.height = random.uniform(0.2, 5);
+  l.dt = kSteps[static_cast<int>(random.uniform(0, 4))];
+  l.substeps = kSubsteps[static_cast<int>(random.uniform(0, 4))];
+  l.friction = random.uniform(0.05, 0.4);
+  l.size = {random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.2, 0.6)};
+  l.speed = 3 * l.friction * l.fall() + 2;  // it slides on
+  return l;
+}
+
+// Of 24 heights of fall at 1/60 s with two substeps one gets 96 %; with one, eight or more all get 99.9 % at least.
+TEST(Landing, TakesWhatCoulombSays) {
+  Random random(1);
+  for (int k = 0; k < 120; ++k) {
+    Landing l = any_landing(random);
+    l.on_box = k % 2 != 0;
+    EXPECT_NEAR(part_taken(l), 1, 0.05) << l;
+  }
+}
+
+// What falls faster than it slides stops at once: it slides no further.
+TEST(Landing, StopsWhatIsSlow) {
+  for (const std::uint32_t substeps : {1U, 8U}) {
+    const Landing l = {.height = 2, .speed = 1, .substeps = substeps, .friction = 0.5};
+    World world = made(scene_of(l));
+    for (long k = std::lround(l.fall() / kGravity / l.dt) + 2; k > 0; --k) advance(world);
+    EXPECT_NEAR(world.state().bodies.velocity[0].x(), 0, 0.01) << l;
+  }
+}
+
+}  // namespace
+}  // namespace tumble::test
