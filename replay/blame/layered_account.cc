@@ -15,13 +15,16 @@ std::optional<sim::BodyId> other_of(const sim::Manifold& m, sim::BodyIndex row, 
   return other == sim::kGround ? std::nullopt : std::optional(ids[other]);
 }
 
-int sweeps_of(const sim::Scratch& scratch, std::uint32_t layer, bool& hard) {
-  for (const sim::SweepGroup& group : scratch.sweep_groups) {
-    if (layer < group.begin || layer >= group.end) continue;
-    hard = hard || group.hard;
-    return group.sweeps;
-  }
-  return 0;
+bool in_hard_layer(const sim::Scratch& scratch, const sim::Manifold& m) {
+  return std::ranges::any_of(scratch.sweep_groups, [&](const sim::SweepGroup& group) {
+    return group.hard && m.layer >= group.begin && m.layer < group.end;
+  });
+}
+
+// A body at rest is of no island, and has 1.
+int sweeps_of(const sim::Scratch& scratch, const sim::Manifold& m) {
+  const std::vector<std::uint8_t>& sweeps = scratch.islands.sweeps;
+  return m.a == sim::kGround ? sweeps[m.b] : std::max(sweeps[m.a], sweeps[m.b]);
 }
 
 }  // namespace
@@ -137,7 +140,8 @@ void AccountObserver::look_layered(const std::string& phase, std::uint32_t subst
       if (!of_row(m, row_) || m.asleep) continue;
       ContactFacts& facts = facts_of(other_of(m, row_, ids_));
       facts.layer = m.layer;
-      facts.sweeps = sweeps_of(scratch, m.layer, facts.hard);
+      facts.hard |= in_hard_layer(scratch, m);
+      facts.sweeps = sweeps_of(scratch, m);
     }
   }
   if (phase == "carry_weights") look_at_weights(world);

@@ -221,7 +221,8 @@ TEST(HuntLaws, SeeWhatDepartsFromItsFormula) {
 TEST(HuntRelations, SeeTheLeastBit) {
   const Trace trace = tampered(
       kPair, 25, [](sim::Bodies& b) { b.position.x[1] += sim::PositionGrid::kStep; }, false);
-  for (const char* name : {"ids", "mirror_x", "mirror_y", "swap_xy", "shift", "repeat", "lanes", "inserted", "elsewhere"}) {
+  for (const char* name :
+       {"ids", "mirror_x", "mirror_y", "swap_xy", "shift", "repeat", "lanes", "inserted", "elsewhere"}) {
     expect_broken(name, trace, 25);
     EXPECT_EQ(judge(name, trace).body, 7U) << name;
   }

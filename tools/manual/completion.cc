@@ -1,14 +1,11 @@
 #include "tools/manual/completion.h"
 
 #include <algorithm>
-#include <array>
 
 #include "src/base/text.h"
 
 namespace tumble::tools {
 namespace {
-
-constexpr std::array kShells = {"bash", "zsh", "fish"};
 
 std::string command_names(const std::vector<ManualEntry>& commands) {
   std::string names;
@@ -69,7 +66,7 @@ std::string for_bash(const std::vector<ManualEntry>& commands) {
       "    return\n"
       "  elif [[ ${COMP_WORDS[1]} == help && ${COMP_WORDS[2]} == --completion ]]; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W '" +
-      joined({kShells.begin(), kShells.end()}, " ") +
+      joined({std::begin(kShells), std::end(kShells)}, " ") +
       "' -- \"$word\")\n"
       "    return\n"
       "  fi\n"

@@ -47,7 +47,7 @@ Values values_of(const sim::Bodies& bodies, BodyIndex i, const Transform& t) {
           static_cast<double>(bodies.frozen[i])};
 }
 
-constexpr double kNear = 1000;  // m
+constexpr double kOthersNear = 1000;  // m
 
 constexpr unsigned kThreads = 3;
 constexpr std::size_t kThreadedSteps = 2;
@@ -197,7 +197,7 @@ namespace {
 
 bool comes_near(const sim::Bodies& bodies, double where) {
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (bodies.position[i].x() > where - kNear) return true;
+    if (bodies.position[i].x() > where - kOthersNear) return true;
   }
   return false;
 }

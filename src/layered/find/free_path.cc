@@ -15,8 +15,8 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kTouching = 0.0001;  // m; the skin of contact_solve_impl.h
-constexpr int kFollowMax = 1 << 20;   // a pass a millimetre away at the limits of size and spin takes some 10,000
+constexpr double kTouchingSkin = 0.0001;  // m; the skin of contact_solve_impl.h
+constexpr int kFollowMax = 1 << 20;       // a pass a millimetre away at the limits of size and spin takes some 10,000
 
 constexpr double kRounding = 1e-6;  // more than the relative error of any bound, and m
 
@@ -109,7 +109,7 @@ double FreePaths::wait(const Flyer& a, const Flyer& b, const BestAxes& apart) co
 
 // Moves both bodies as far as they surely do not touch; true: that was all, and `end` is what becomes of them.
 bool FreePaths::go_on(Course& course, const BestAxes& apart, Approach& end) const {
-  if (apart.separation <= kTouching) {
+  if (apart.separation <= kTouchingSkin) {
     end = {course.advances > 0 ? Approach::Kind::kMeeting : Approach::Kind::kTouching, course.time};
     return true;
   }
@@ -174,7 +174,7 @@ std::size_t FreePaths::leave_undecided(std::span<const Query> queries, const Que
   for (std::size_t k = 0; k < queries.size(); ++k) {
     const Query& of = queries[k];
     const double separation = tests.all.separation[k];
-    if (separation <= kTouching) {
+    if (separation <= kTouchingSkin) {
       *of.approach = {Approach::Kind::kTouching, 0};
     } else if (separation > way_most(of.a, of.b)) {
       *of.approach = {separation <= of.margin ? Approach::Kind::kNear : Approach::Kind::kPassing, 0};
