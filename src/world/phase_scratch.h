@@ -117,15 +117,17 @@ struct WaveScratch {
   std::uint32_t pushed[3] = {};      ///< bodies of three waves that follow one another
 };
 
-/// The islands of a step. assign_levels writes the first three.
+/// The islands of a step. assign_levels writes them; part_overlaps `deepest`, carry_weights `bodies` to `heaviest`.
 struct IslandScratch {
   std::vector<BodyIndex> of, hit;                  ///< by body, the one that stands for its island; for those of hits
   std::vector<std::uint8_t> hard;                  ///< by body, whether its island is hard
   std::vector<std::uint8_t> sweeps;                ///< by body, of its contacts in push_contacts and relax_contacts
   std::vector<std::uint8_t> marked;                ///< by the body that stands for an island
   std::vector<std::uint8_t> most_sweeps, has_bar;  ///< by the body that stands for an island of hits; of its bodies
-  std::vector<std::uint32_t> layers, bodies;       ///< likewise, numbers
-  std::vector<double> deepest, reach2, heaviest;   ///< likewise, m, m², kg; of overlaps, corners, masses
+  std::vector<std::uint32_t> layers;               ///< likewise, how many
+  std::vector<double> deepest;                     ///< by the body that stands for an island, m, of its overlaps
+  std::vector<std::uint32_t> bodies;               ///< likewise, how many
+  std::vector<double> reach2, heaviest;            ///< likewise, m², kg; of corners and masses
 };
 
 /// Memory of carry_weights.

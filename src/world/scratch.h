@@ -102,11 +102,11 @@ struct ContactBatches {
   std::vector<Outcome> outcomes;                          ///< of one layer at a time
 };
 
-/// Layers with one number of sweeps. No moving body is in two groups. Written by assign_levels.
+/// The layers of hard islands, or of the others. No moving body is in two groups. Written by assign_levels.
 struct SweepGroup {
   std::uint32_t begin = 0, end = 0;  ///< layers
-  int sweeps = 1;
-  bool hard = false;  ///< hard islands (assign_levels)
+  int sweeps = 1;                    ///< at most; each island has its number (IslandScratch::sweeps)
+  bool hard = false;                 ///< hard islands (assign_levels)
 };
 
 /// The awake contacts of each body, found again in every step (contact_graph.h).

@@ -193,17 +193,6 @@ Judgement judge_threads(const Trace& trace) {
   return held();
 }
 
-namespace {
-
-bool comes_near(const sim::Bodies& bodies, double where) {
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (bodies.position[i].x() > where - kOthersNear) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 Judgement judge_inserted(const Trace& trace) {
   if (trace.scene.boxes.size() < 2) return not_applicable("one body has one order");
   for (const sim::BoxDef& box : trace.scene.boxes) {
@@ -228,6 +217,17 @@ Judgement judge_inserted(const Trace& trace) {
   }
   return held();
 }
+
+namespace {
+
+bool comes_near(const sim::Bodies& bodies, double where) {
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (bodies.position[i].x() > where - kOthersNear) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 Judgement judge_elsewhere(const Trace& trace) {
   if (trace.scene.world.method == sim::Method::kThesis) {

@@ -1,16 +1,22 @@
 #pragma once
 
+#include "src/model/mass.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 
-/// Whether nothing in a step moves the body: the ground, a static or a sleeping one.
-inline bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
+/// Whether a step moves the body: not the ground, nor a static or a sleeping one.
+inline bool moves(const Bodies& bodies, BodyIndex i) { return i != kGround && bodies.moves(i); }
+inline bool at_rest(const Bodies& bodies, BodyIndex i) { return !moves(bodies, i); }
 
-/// A body of the contact that moves, in whose island it lies.
-inline BodyIndex mover_of(const Bodies& bodies, const ContactGraph::Link& link) {
-  return at_rest(bodies, link.b) ? link.a : link.b;
+/// Whether the body is slender and moves.
+inline bool is_bar(const Bodies& bodies, BodyIndex i) { return moves(bodies, i) && is_slender(bodies.inertia[i]); }
+
+/// A body of a contact (a Manifold or a ContactGraph::Link) that moves, in whose island it lies.
+template <class Contact>
+BodyIndex mover_of(const Bodies& bodies, const Contact& contact) {
+  return moves(bodies, contact.b) ? contact.b : contact.a;
 }
 
 /// Calls visit(link) for all awake contacts, by several workers at a time.

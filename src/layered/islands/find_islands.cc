@@ -23,6 +23,10 @@ void find_islands(const WorldState& state, Scratch& scratch) {
   };
   for_awake(scratch, [&](const ContactGraph::Link& link) { join(link.a, link.b); });
   note(bodies, islands, scratch.workers, scratch.islands.of);
+  if (scratch.fast.none()) {
+    scratch.islands.hit = scratch.islands.of;
+    return;
+  }
   for (const auto& [a, b] : scratch.fast.pairs) join(a, b);
   note(bodies, islands, scratch.workers, scratch.islands.hit);
 }

@@ -4,7 +4,6 @@
 
 #include "src/layered/find/velocity_ranges.h"
 #include "src/layered/islands/awake_links.h"
-#include "src/model/mass.h"
 
 namespace tumble::sim {
 namespace {
@@ -39,16 +38,13 @@ bool is_hit_through(const Scratch& scratch, const Link& m, double dt_s) {
   return m.a == kGround ? fall_if_hit(scratch, m.b, dt_s) > 0 : way_most_if_hit(scratch, m.a, m.b, dt_s) > 0;
 }
 
-bool slender_mover(const Bodies& bodies, BodyIndex i) { return !at_rest(bodies, i) && is_slender(bodies.inertia[i]); }
-
 }  // namespace
 
 std::span<const std::uint8_t> find_hard_islands(const WorldState& state, Scratch& scratch, double dt_s) {
   const Bodies& bodies = state.bodies;
   IslandScratch& own = scratch.islands;
   const auto makes_hard = [&](const Link& m) {
-    return slender_mover(bodies, m.a) || slender_mover(bodies, m.b) || is_uneven(bodies, m) ||
-           is_hit_through(scratch, m, dt_s);
+    return is_bar(bodies, m.a) || is_bar(bodies, m.b) || is_uneven(bodies, m) || is_hit_through(scratch, m, dt_s);
   };
   std::uint8_t any = 0;
   for_awake(scratch, [&](const Link& m) {

@@ -3,14 +3,12 @@
 #include <algorithm>
 
 #include "src/layered/islands/awake_links.h"
-#include "src/model/mass.h"
 
 namespace tumble::sim {
 namespace {
 
 // Sweeps grow with the levels: an impulse passes a limited number of levels in one sweep.
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
-
 constexpr int kSweepsMax = 10;
 constexpr std::uint32_t kFewestLayers = 2;  // of a body that touches what is at rest, and of one that touches nothing
 constexpr std::uint8_t kHitSweeps = 2;      // else a column that lands goes on into the ground for a substep
@@ -37,19 +35,21 @@ void for_lanes(const Bodies& bodies, Scratch& scratch, Visit visit) {
       const ContactBatch& batch = all.batches[k];
       for (unsigned lane = 0; lane < batch.used; ++lane) {
         const Manifold& m = scratch.manifolds[all.order[batch.members + lane]];
-        visit(batch, all.sides[k], lane, scratch.islands.of[at_rest(bodies, m.b) ? m.a : m.b]);
+        visit(batch, all.sides[k], lane, scratch.islands.of[mover_of(bodies, m)]);
       }
     }
   });
 }
 
-}  // namespace
-
+// Of an island of so many layers.
 int sweeps_for(std::uint32_t layers, bool hard) {
   const int levels = static_cast<int>(layers - 1) / 2;
-  const int sweeps = std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
-  return hard ? std::max(kHardSweeps, sweeps) : sweeps;
+  return hard ? kHardSweeps : std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
 }
+
+}  // namespace
+
+int most_sweeps(std::uint32_t layers, bool hard) { return std::max<int>(kHitSweeps, sweeps_for(layers, hard)); }
 
 int parting_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kPartingMax, deepest / kSweepDepth)); }
 
@@ -58,7 +58,6 @@ void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std
   IslandScratch& own = scratch.islands;
   const SweepGroup& soft = scratch.sweep_groups[0];
   const auto is_hard = [&](BodyIndex i) { return !in_hard.empty() && in_hard[i] != 0; };
-  const auto is_bar = [&](BodyIndex i) { return !at_rest(bodies, i) && is_slender(bodies.inertia[i]); };
   own.layers.assign(bodies.size(), kFewestLayers);
   own.most_sweeps.assign(bodies.size(), 1);
   own.has_bar.assign(bodies.size(), 0);
@@ -69,7 +68,7 @@ void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std
   for (const auto& [a, b] : scratch.fast.pairs) {
     if (!at_rest(bodies, a) && !at_rest(bodies, b)) own.most_sweeps[own.hit[a]] = kHitSweeps;
     for (const BodyIndex i : {a, b}) {
-      if (is_bar(i)) own.has_bar[own.hit[i]] = 1;
+      if (is_bar(bodies, i)) own.has_bar[own.hit[i]] = 1;
     }
   }
   own.sweeps.resize(bodies.size());

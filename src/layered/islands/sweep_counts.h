@@ -10,8 +10,8 @@ namespace tumble::sim {
 
 /// How often contacts are swept. Each island has numbers of its own (find_islands.h).
 
-/// Sweeps of push_contacts and relax_contacts for contacts of so many layers.
-int sweeps_for(std::uint32_t layers, bool hard);
+/// The most sweeps that push_contacts and relax_contacts give an island of at most so many layers.
+int most_sweeps(std::uint32_t layers, bool hard);
 
 /// Sweeps of part_overlaps beyond those, for the deepest overlap, m: boxes that lie deep in each other from the start
 /// jam if few sweeps part them.

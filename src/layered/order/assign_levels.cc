@@ -102,7 +102,7 @@ class Layers {
     std::uint32_t end = 0;
     for (int hard = 0; hard < (near_hard_.empty() ? 1 : 2); ++hard) {
       const std::uint32_t layers = highest_[hard] + 2;  // the last layer: islands that touch nothing at rest
-      scratch_.sweep_groups.push_back({end, end + layers, std::max(2, sweeps_for(layers, hard == 1)), hard == 1});
+      scratch_.sweep_groups.push_back({end, end + layers, most_sweeps(layers, hard == 1), hard == 1});
       end += layers;
     }
     scratch_.layer_start.resize(end + 1);

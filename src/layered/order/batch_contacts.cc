@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/base/check.h"
+#include "src/layered/islands/awake_links.h"
 #include "src/layered/order/share_layer.h"
 #include "src/math/grid.h"
 
@@ -174,7 +175,7 @@ class Filling {
     sides.a[lane] = m.a == kGround ? ground_ : m.a;
     sides.b[lane] = m.b;
     sides.visited[lane] = 0;
-    const BodyIndex mover = moves(m.b) ? m.b : m.a;
+    const BodyIndex mover = mover_of(bodies_, m);
     sides.sweeps[lane] = layers_.of_fast_pairs ? islands_.most_sweeps[islands_.hit[mover]] : islands_.sweeps[mover];
     sides.parting[lane] = static_cast<std::uint8_t>(sides.sweeps[lane] + 1);
     if (layers_.of_fast_pairs && islands_.has_bar[islands_.hit[mover]] != 0) {
@@ -182,12 +183,11 @@ class Filling {
     }
     const double lighter = std::min(mass_of(m.a), mass_of(m.b));
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
-    const bool a_falls = moves(m.a), b_falls = moves(m.b);
+    const bool a_falls = moves(bodies_, m.a), b_falls = moves(bodies_, m.b);
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
-  [[nodiscard]] bool moves(BodyIndex i) const { return i != kGround && bodies_.moves(i); }
-  double mass_of(BodyIndex i) const { return moves(i) ? bodies_.mass[i] : std::numeric_limits<double>::max(); }
+  double mass_of(BodyIndex i) const { return moves(bodies_, i) ? bodies_.mass[i] : std::numeric_limits<double>::max(); }
   double thickness_of(BodyIndex i) const {
     return i == kGround ? std::numeric_limits<double>::max() : Vec3(bodies_.half_extent[i]).minCoeff();
   }

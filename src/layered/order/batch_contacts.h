@@ -9,7 +9,8 @@ namespace tumble::sim {
 /// that the body gets. The choice of manifolds that share a batch changes nothing but time.
 void batch_contacts(const WorldState& state, Scratch& scratch);
 
-/// The like for the contacts of fast pairs, in one layer. Those of a slender body are hard.
+/// The like for the contacts of fast pairs, in one layer. Those of an island with a slender body in a fast pair
+/// are hard.
 void batch_fast_contacts(const WorldState& state, Scratch& scratch);
 
 }  // namespace tumble::sim

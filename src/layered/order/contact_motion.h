@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "src/layered/islands/awake_links.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 
 /// How the bodies of a manifold move past one another, and which of them is above.
 namespace tumble::sim {
 
-inline bool moves(const Bodies& bodies, BodyIndex i) { return i != kGround && bodies.moves(i); }
 inline Vec3 velocity_of(const Bodies& bodies, BodyIndex i) {
   return moves(bodies, i) ? bodies.velocity[i] : Vec3(Vec3::Zero());
 }
