@@ -36,24 +36,30 @@ void shown_in(const EngineAxes& axes, HeaderDifference& header) {
   for (FieldValue* value : {&header.a, &header.b}) shown_in(axes, *column, *value);
 }
 
-/// The difference in the first of the rows in which bodies differ: a changed input or counter may show later. None
-/// where both sessions end before.
+/// The difference in the first of the rows in which bodies differ: a changed input or counter may show later. What
+/// diff_logs() counts as equal in another engine's states is none. None where both sessions end before.
 std::optional<Divergence> effect_in(LogReader& a, LogReader& b, const std::vector<SeparationRow>& rows) {
-  const auto row = std::ranges::find_if(rows, [](const SeparationRow& one) { return one.bodies > 0; });
-  if (row == rows.end()) return std::nullopt;
   const bool same_words = same_phase_words(a.header(), b.header());
   const std::vector<std::string> phases = same_words ? a.header().phases : std::vector<std::string>();
+  const bool imported = a.header().engine || b.header().engine;
   StateSource in_a(a), in_b(b);
-  const Result<const StepRecord*> one = in_a.read(row->step), other = in_b.read(row->step);
-  if (!one.ok() || !other.ok()) return std::nullopt;
-  StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
-  actual.dt = (*one)->dt;
-  actual.inputs = (*one)->inputs;
-  leave_out_phase_words(a.header(), b.header(), **one, actual);
-  std::optional<Divergence> found = first_difference(**one, actual, phases);
-  if (found && in_binary32(a.header(), b.header())) count_in_binary32(*found);
-  if (found && found->step == a.first_state()) found->phase = "start";
-  return found;
+  for (const SeparationRow& row : rows) {
+    if (row.bodies == 0) continue;
+    const Result<const StepRecord*> one = in_a.read(row.step), other = in_b.read(row.step);
+    if (!one.ok() || !other.ok()) return std::nullopt;
+    StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
+    actual.dt = (*one)->dt;
+    actual.inputs = (*one)->inputs;
+    leave_out_phase_words(a.header(), b.header(), **one, actual);
+    if (imported) forgive_zeros(**one, actual);
+    forgive_derived(derived_values(a.header(), b.header()), **one, actual);
+    std::optional<Divergence> found = first_difference(**one, actual, phases);
+    if (!found || !is_in_state(*found)) continue;
+    if (in_binary32(a.header(), b.header())) count_in_binary32(*found);
+    if (found->step == a.first_state()) found->phase = "start";
+    return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace

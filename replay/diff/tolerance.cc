@@ -17,18 +17,34 @@
 namespace tumble::replay {
 namespace {
 
+constexpr std::string_view kChannelPrefix = "channel.";  // of the fields that are channels
+
+/// Calls visit(i, j) with the rows of every body that both states have. A body that one of them lacks makes no
+/// difference to the others.
+template <class Visit>
+void for_each_common_body(const BodyStates& a, const BodyStates& b, Visit visit) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (a.id[i] == b.id[j]) {
+      visit(i++, j++);
+    } else {
+      ++(a.id[i] < b.id[j] ? i : j);
+    }
+  }
+}
+
 double tolerance_of(const Tolerances& tolerances, std::size_t column) {
   if (column >= kPosition) return tolerances.position;
   return column >= kSpin ? tolerances.spin : tolerances.velocity;
 }
 
-void forgive_orientation(const BodyStates& expected, BodyStates& actual, std::size_t i, double tolerance) {
-  const sim::Quat wanted = expected.orientation[i], found = actual.orientation[i];
+void forgive_orientation(const sim::Quat& wanted, BodyStates& actual, std::size_t row, double tolerance) {
+  const sim::Quat found = actual.orientation[row];
   const auto is_close = [&] {  // a quaternion of another length turns alike but is no equal state
     const double longer = std::sqrt(sim::squared_length(wanted)) - std::sqrt(sim::squared_length(found));
     return tolerance > 0 && angle_between(wanted, found) <= tolerance && std::fabs(longer) <= tolerance;
   };
-  if (same_rotation(wanted, found) || is_close()) actual.orientation.set(i, wanted);
+  if (same_rotation(wanted, found) || is_close()) actual.orientation.set(row, wanted);
 }
 
 /// The numbers of an input by name, "throw.velocity.y", in order. Number: double or const double.
@@ -87,7 +103,9 @@ Error unknown_field(const std::string& field, const std::vector<std::string>& kn
 }  // namespace
 
 bool Tolerances::excuses(const std::string& field, double expected, double actual) const {
-  for (const std::string& name : {field, whole_of(field)}) {
+  // Channels have whatever names an engine gives them: "joint.x" is no part of "joint".
+  const std::string whole = field.starts_with(kChannelPrefix) ? field : whole_of(field);
+  for (const std::string& name : {field, whole}) {
     const auto known = fields.find(name);
     if (known != fields.end() && std::fabs(actual - expected) <= known->second) return true;
   }
@@ -113,8 +131,7 @@ Status set_tolerance(Tolerances& tolerances, const std::string& field, double va
       tolerances.fields[field] = value;
       return {};
     }
-    const std::string prefix = "channel.";
-    const std::string name = field.starts_with(prefix) ? field.substr(prefix.size()) : field;
+    const std::string name = field.starts_with(kChannelPrefix) ? field.substr(kChannelPrefix.size()) : field;
     const auto channel = std::ranges::find(channels, name, &Channel::name);
     for (const Channel& one : channels) known.push_back(one.name);
     if (channel == channels.end()) return unknown_field(field, known);
@@ -122,7 +139,7 @@ Status set_tolerance(Tolerances& tolerances, const std::string& field, double va
       return bad_input("channel " + in_quotes(name) + " holds " + name_of(channel->type.kind) +
                        ", wanted a channel of numbers");
     }
-    tolerances.fields[prefix + name] = value;
+    tolerances.fields[std::string(kChannelPrefix) + name] = value;
   }
   return {};
 }
@@ -142,17 +159,17 @@ bool same_rotation(const sim::Quat& a, const sim::Quat& b) {
 }
 
 void forgive_states(const BodyStates& expected, BodyStates& actual, const Tolerances& tolerances) {
-  if (expected.id != actual.id || tolerances.exact()) return;
+  if (tolerances.exact()) return;
   const ConstColumns wanted = columns_of(expected);
   const Columns found = columns_of(actual);
-  for (std::size_t c = 0; c < kOrientation; ++c) {
-    const double tolerance = tolerance_of(tolerances, c);
-    if (tolerance == 0) continue;
-    for (std::size_t i = 0; i < actual.size(); ++i) {
-      if (std::fabs((*found[c])[i] - (*wanted[c])[i]) <= tolerance) (*found[c])[i] = (*wanted[c])[i];
+  for_each_common_body(expected, actual, [&](std::size_t i, std::size_t j) {
+    for (std::size_t c = 0; c < kOrientation; ++c) {
+      const double tolerance = tolerance_of(tolerances, c), a = (*wanted[c])[i];
+      double& b = (*found[c])[j];
+      if (tolerance > 0 && std::fabs(b - a) <= tolerance) b = a;
     }
-  }
-  for (std::size_t i = 0; i < actual.size(); ++i) forgive_orientation(expected, actual, i, tolerances.orientation);
+    forgive_orientation(expected.orientation[i], actual, j, tolerances.orientation);
+  });
 }
 
 void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolerances& tolerances) {
@@ -183,10 +200,10 @@ DerivedValues derived_values(const LogHeader& a, const LogHeader& b) {
 
 void forgive_derived(const DerivedValues& derived, const StepRecord& expected, StepRecord& actual) {
   if (!derived.velocity && !derived.spin) return;
-  if (expected.states.id == actual.states.id) {
-    if (derived.velocity) actual.states.velocity = expected.states.velocity;
-    if (derived.spin) actual.states.spin = expected.states.spin;
-  }
+  for_each_common_body(expected.states, actual.states, [&](std::size_t i, std::size_t j) {
+    if (derived.velocity) actual.states.velocity.set(j, expected.states.velocity[i]);
+    if (derived.spin) actual.states.spin.set(j, expected.states.spin[i]);
+  });
   actual.counters.kinetic = expected.counters.kinetic;
   actual.counters.inputs = expected.counters.inputs;
   for (std::size_t i = 0; i < std::min(expected.inputs.size(), actual.inputs.size()); ++i) {
@@ -199,19 +216,18 @@ void forgive_derived(const DerivedValues& derived, const StepRecord& expected, S
 }
 
 std::uint64_t forgive_zeros(const BodyStates& expected, BodyStates& actual) {
-  if (expected.id != actual.id) return 0;
   const ConstColumns wanted = columns_of(expected);
   const Columns found = columns_of(actual);
   std::uint64_t count = 0;
-  for (std::size_t c = 0; c < kColumnCount; ++c) {
-    for (std::size_t i = 0; i < actual.size(); ++i) {
+  for_each_common_body(expected, actual, [&](std::size_t i, std::size_t j) {
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
       const double a = (*wanted[c])[i];
-      double& b = (*found[c])[i];
+      double& b = (*found[c])[j];
       if (a != 0 || b != 0 || bits_of(a) == bits_of(b)) continue;
       b = a;
       ++count;
     }
-  }
+  });
   return count;
 }
 
