@@ -22,6 +22,9 @@ class ArrayTable {
 
   Result<std::string> text() {
     if (Status ok = find_sizes(); !ok.ok()) return ok.error();
+    if (steps_ == 0 || bodies_ == 0) {  // a shape of 0 says nothing of how large the others may be
+      return wrong(found_wanted(count_text(steps_, "step") + " of " + count_text(bodies_, "body"), "one of each"));
+    }
     if (Status ok = add_clock(); !ok.ok()) return ok.error();
     if (Status ok = find_present(); !ok.ok()) return ok.error();
     if (options_.warn) {
@@ -132,14 +135,12 @@ class ArrayTable {
   Status add_moving(const KnownArray& known) {
     const Array* array = find(known.names);
     if (array == nullptr) return {};
-    std::vector<std::size_t> wanted = {steps_, bodies_};
-    if (!known.letters.empty()) wanted.push_back(known.letters.size());
-    std::vector<std::size_t> of_one = {steps_};
-    if (!known.letters.empty()) of_one.push_back(known.letters.size());
-    const bool one = bodies_ == 1 && array->shape == of_one;
-    if (array->shape != wanted && !one) {
-      return wrong_shape(*array, shape_text(wanted));
+    std::vector<std::size_t> wanted = {steps_, bodies_}, of_one = {steps_};
+    for (std::vector<std::size_t>* shape : {&wanted, &of_one}) {
+      if (!known.letters.empty()) shape->push_back(known.letters.size());
     }
+    const bool one = bodies_ == 1 && array->shape == of_one;
+    if (array->shape != wanted && !one) return wrong_shape(*array, shape_text(wanted));
     use(*array);
     const auto index = [one](std::size_t k, std::size_t body) {
       return one ? std::vector<std::size_t>{k} : std::vector<std::size_t>{k, body};
@@ -211,8 +212,7 @@ class ArrayTable {
       return wrong_shape(array, std::to_string(steps_) +
                                     " steps first; an array that is to be passed over has a name that begins with _");
     }
-    const bool of_step = array.name.starts_with("world.");
-    const bool of_bodies = !of_step && shape.size() >= 2 && shape[1] == bodies_ &&
+    const bool of_bodies = !array.name.starts_with("world.") && shape.size() >= 2 && shape[1] == bodies_ &&
                            (shape.size() == 3 || bodies_ > 1 || array.name.starts_with("channel."));
     const std::size_t fixed = of_bodies ? 2 : 1;
     if (shape.size() > fixed + 1) {

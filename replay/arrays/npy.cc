@@ -135,7 +135,7 @@ Result<Array> read_npy(std::string_view bytes, const std::string& name) {
   }
   std::uint64_t wanted = array.item_bytes;
   for (const std::size_t n : array.shape) {
-    if (n > kArrayBytesMax || wanted > kArrayBytesMax) return bad_input("found a shape beyond 4 GiB");
+    if (n > kArrayBytesMax || (n > 0 && wanted > kArrayBytesMax / n)) return bad_input("found a shape beyond 4 GiB");
     wanted *= n;
   }
   array.data = bytes.substr(prefix + length);

@@ -50,8 +50,11 @@ Result<std::vector<Entry>> read_directory(std::string_view zip) {
   const std::uint64_t count = number_at(zip, *end + 10, 2);
   std::uint64_t at = number_at(zip, *end + 16, 4);
   if (at == kIn64 || count == 0xffff) return bad_input("found an archive of more than 65,534 arrays or 4 GiB");
+  if (count > kArraysMax) {
+    return bad_input("found " + std::to_string(count) + " arrays, wanted at most " + std::to_string(kArraysMax));
+  }
   std::vector<Entry> entries;
-  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(count, kArraysMax); ++i) {
+  for (std::uint64_t i = 0; i < count; ++i) {
     if (!holds(zip, at, 46) || number_at(zip, at, 4) != 0x02014b50U) {
       return bad_input("the directory of the archive is cut or damaged at byte " + std::to_string(at));
     }

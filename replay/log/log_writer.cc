@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -106,7 +107,7 @@ struct LogWriter::Shared {
 
   void begin_chunk(const sim::WorldState& state);
   Status hand_over(const sim::WorldState& now, bool ends_chunk);
-  void run();
+  void run(const sim::Bodies& bodies, std::uint64_t planned);
   void reserve(const sim::Bodies& bodies, std::uint64_t planned);
   Status write(Buffer& buffer);
   void stop();
@@ -186,8 +187,9 @@ void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned
   }
 }
 
-/// Runs on the writing thread: writes the buffers of `full` and moves each to `free`.
-void LogWriter::Shared::run() {
+/// Runs on the writing thread: writes the buffers of `full` and moves each to `free`. bodies, planned: of reserve().
+void LogWriter::Shared::run(const sim::Bodies& bodies, std::uint64_t planned) {
+  reserve(bodies, planned);
   std::unique_lock lock(mutex);
   for (;;) {
     changed.wait(lock, [this] { return stopping || !full.empty(); });
@@ -253,10 +255,11 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> s
   // The first chunk's keyframe stays as it is until the thread itself writes it.
   const sim::Bodies& bodies = shared->open->keyframe->state.bodies;
   const std::uint64_t planned = std::max(header.scene.steps, initial.step) - initial.step;
-  shared->thread = std::thread([running, &bodies, planned] {
-    running->reserve(bodies, planned);
-    running->run();
-  });
+  try {
+    shared->thread = std::thread([running, &bodies, planned] { running->run(bodies, planned); });
+  } catch (const std::system_error& error) {
+    return cannot_finish(shared->records.name() + ": no thread to write it with: " + error.what());
+  }
   return std::unique_ptr<LogWriter>(new LogWriter(std::move(shared)));
 }
 

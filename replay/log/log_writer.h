@@ -47,7 +47,8 @@ struct StepInfo {
 class LogWriter {
  public:
   /// Creates the log and writes its header. header: made by header_for(). initial: state 0, or the state that
-  /// LogHeader::goes_on names. Errors. kBadInput: open_file_sink() refuses the path. kCannotFinish: writing fails.
+  /// LogHeader::goes_on names. Errors. kBadInput: open_file_sink() refuses the path. kCannotFinish: writing fails, or
+  /// the system gives no thread.
   static Result<std::unique_ptr<LogWriter>> create(const std::string& path, const LogHeader& header,
                                                    const sim::WorldState& initial);
   static Result<std::unique_ptr<LogWriter>> create(std::unique_ptr<ByteSink> sink, const LogHeader& header,

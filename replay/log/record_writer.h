@@ -45,6 +45,7 @@ class RecordWriter {
   /// Writes index and footer, which completes the log. All other bytes are on the disk before the footer is written.
   Status finish();
 
+  [[nodiscard]] std::string name() const { return sink_->name(); }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
   [[nodiscard]] std::uint64_t steps() const { return end_step() - 1 - first_state_; }
   [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }

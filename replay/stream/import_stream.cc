@@ -228,12 +228,12 @@ class StreamImporter {
     const std::size_t phases = stream_.header().phases.size();
     if (stream_.header().hashes_only) return log.set_phase_hashes(step.hashes);
     if (phases == 0) return {};
-    std::uint32_t rows = 1;
-    for (const StreamPhase& phase : step.phases) rows = std::max(rows, phase.row + 1);
-    if (rows > sim::PhaseHashes::kRowsMax) return bad_input("found a phase hash of substep " + std::to_string(rows));
-    std::vector<std::uint64_t> words(rows * phases);
+    std::vector<std::uint64_t> words(phases);
     for (const StreamPhase& phase : step.phases) {
+      if (phase.row >= sim::PhaseHashes::kRowsMax)
+        return bad_input("found a phase hash of substep " + std::to_string(phase.row));
       if (phase.phase >= phases) return bad_input("found a hash of phase " + std::to_string(phase.phase));
+      words.resize(std::max(words.size(), (phase.row + 1) * phases));
       words[phase.row * phases + phase.phase] = phase.word;
     }
     return log.set_phase_hashes(words);

@@ -1,11 +1,14 @@
 // Streams of engines that tell what cannot be: what can be kept is kept, and said.
 #include <gtest/gtest.h>
+#include <xxhash.h>
 
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "replay/format/little_endian.h"
+#include "replay/stream/stream_format.h"
 #include "tests/recorder/imported.h"
 #include "tests/recorder/recorded.h"
 
@@ -213,6 +216,42 @@ TEST(OddStream, AStartThatCannotBeLeavesAnOlderLog) {
   ASSERT_TRUE(sound.ok());
   EXPECT_EQ(import_stream(*sound, make_sink).error().message, "notes.txt: exists and is not a log");
   EXPECT_EQ(opened, 1);
+}
+
+/// A stream whose only phase hash is of that substep. Every hash of a frame is right.
+StreamBytes with_substep(std::uint32_t substep) {
+  const auto step = [](TumbleRec* rec) {
+    const TumbleRecState state = state_at(1, 1);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &state);
+    tumble_rec_phase_hash(rec, 0, 7);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+  };
+  StreamBytes bytes = record(1, 0, step, [](TumbleRecDef& def) { def.phases = "solve"; });
+  const replay::StreamFrame frame = open_stream(bytes)->steps().back();
+  std::byte* const payload = bytes.data() + frame.offset;
+  std::byte* const head = payload - replay::kStreamFrameHeadBytes;
+  constexpr std::uint32_t kPhaseRecord = 16U << 8U | static_cast<std::uint32_t>(replay::StreamRecordKind::kPhase);
+  for (std::size_t at = 16; at + 20 <= frame.size; ++at) {
+    if (replay::load<std::uint32_t>(payload + at) == kPhaseRecord) replay::store(payload + at + 8, substep);
+  }
+  const auto tag = replay::load<std::uint64_t>(bytes.data() + replay::kStreamPreludeBytes + 16);
+  replay::store<std::uint64_t>(head + 16, XXH64(payload, frame.size, XXH64(head, 16, tag)));
+  return bytes;
+}
+
+// The number of rows of the last possible substep is 0 in 32 bits: the hash was written outside of all rows.
+TEST(OddStream, AHashOfASubstepThatNoLogHoldsEndsTheLogBeforeIt) {
+  const Result<Imported> last = import_bytes(with_substep(15));
+  ASSERT_TRUE(last.ok()) << last.error().message;
+  EXPECT_EQ(last->import.refused, "");
+  for (const std::uint32_t substep : {16U, 0x7fffffffU, 0xffffffffU}) {
+    const Result<Imported> got = import_bytes(with_substep(substep));
+    ASSERT_TRUE(got.ok()) << got.error().message;
+    EXPECT_EQ(got->import.log.steps, 0U);
+    EXPECT_NE(got->import.refused.find("found a phase hash of substep " + std::to_string(substep)), std::string::npos)
+        << got->import.refused;
+  }
 }
 
 }  // namespace

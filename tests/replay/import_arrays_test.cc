@@ -269,6 +269,25 @@ TEST(ImportArrays, OfTwoArraysOfOneMeaningTheOneThatIsReadIsSaid) {
             "call it _pos to pass over it");
 }
 
+std::string npy(const std::string& type, const std::string& shape, const std::string& data) {
+  const std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n";
+  return "\x93NUMPY\x01" + std::string(1, '\0') + static_cast<char>(header.size()) + std::string(1, '\0') + header +
+         data;
+}
+
+// 2^32 · 2^32 elements of one byte are 0 bytes in 64 bits: an empty array seemed to hold them.
+TEST(ImportArrays, AShapeWhoseSizeOverflowsIsRefused) {
+  const std::string huge = "4294967296";
+  for (const std::string& shape : {"(" + huge + ", " + huge + ", 3)", "(" + huge + ", 1, 4294967297)"}) {
+    EXPECT_FALSE(read_npy(npy("|u1", shape, ""), "position").ok()) << shape;
+  }
+  Result<Array> none = read_npy(npy("|u1", "(" + huge + ", 0, 3)", ""), "position");
+  ASSERT_TRUE(none.ok()) << none.error().message;
+  const Result<std::string> table = table_of_arrays({*none}, "t.npz", {});
+  ASSERT_FALSE(table.ok());
+  EXPECT_EQ(table.error().message, "t.npz: found 4294967296 steps of 0 bodies, wanted one of each");
+}
+
 TEST(ImportArrays, TwoArraysOfOneNameAreAnError) {
   std::string twice = file_text("robot.npz");
   for (std::size_t at = 0; (at = twice.find("ctrl.npy")) != std::string::npos;) twice.replace(at, 4, "seed");
