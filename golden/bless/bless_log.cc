@@ -114,6 +114,9 @@ Result<BlessReport> bless_log(const NewCase& options) {
 
   const Result<Session> session = run_session(*scene, *text);
   if (!session.ok()) return session.error();
+  if (!session->failure.empty()) {
+    return bad_input(options.log + ": its scene ends early, so no check of it could pass: " + session->failure);
+  }
   Result<replay::LogReader> log = open_session(*session, options.name);
   if (!log.ok()) return log.error();
   if (Status ok = must_be_the_same(*recorded, *log, options.log); !ok.ok()) return ok.error();

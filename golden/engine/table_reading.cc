@@ -9,8 +9,10 @@
 #include "golden/suite/text_files.h"
 #include "replay/arrays/array_table.h"
 #include "replay/arrays/npz.h"
+#include "replay/arrays/pair_cell.h"
 #include "replay/import/csv/csv_format.h"
 #include "replay/import/csv/table_map.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -76,16 +78,15 @@ Result<std::string> changed(const std::string& table, const TableReading& readin
   if (!reading.map_file.empty()) {
     if (Status ok = replay::read_map_file(map, (folder / reading.map_file).string()); !ok.ok()) return ok.error();
   }
-  std::size_t names = 0;  // where the line with the names of the columns begins
-  while (table.compare(names, 1, "#") == 0) names = std::min(table.find('\n', names), table.size() - 1) + 1;
   Result<replay::CsvReader> reader = replay::CsvReader::open(table, "its table");
   if (!reader.ok()) return failed(reader.error());
   if (Status ok = replay::rename_columns(map, *reader); !ok.ok()) return ok.error();
   if (reading.channels) name_channels(*reader);
-  std::string columns;
-  for (const std::string& column : reader->columns()) columns += (columns.empty() ? "" : ",") + column;
-  const std::size_t rows = std::min(table.find('\n', names), table.size());
-  return head_of(std::string_view(table).substr(0, names), reading) + columns + table.substr(rows);
+  std::vector<std::string> columns = reader->columns();
+  for (std::string& column : columns) {
+    if (reader->escaped()) column = replay::text_cell(column);
+  }
+  return head_of(reader->head(), reading).append(joined(columns, ",")).append(1, '\n').append(reader->rows());
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ Status rewrite_table(const std::string& path, const TableReading& reading, const
   char first[2] = {};
   file.read(first, sizeof first);
   const bool is_archive = file.gcount() == 2 && first[0] == 'P' && first[1] == 'K';
-  const bool is_text = file.gcount() > 0 && (static_cast<unsigned char>(first[0]) < 0x80);  // logs and streams: 0x89
+  const bool is_text = file.gcount() > 0 && static_cast<unsigned char>(first[0]) != 0x89;  // of logs and streams
   const bool has_names =
       reading.channels || !reading.map.empty() || !reading.map_file.empty() || !reading.header.empty();
   if (!is_archive && (!is_text || !has_names)) return {};

@@ -1,6 +1,7 @@
 #include "golden/run/repeated_runs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "golden/judge/judge_metrics.h"
@@ -14,13 +15,13 @@ namespace {
 
 using Values = std::vector<std::optional<double>>;
 
-/// The values of one metric that are there, ascending.
+/// The values of one metric that are there, ascending; what is no number stands behind all others.
 std::vector<double> sorted(const std::vector<Values>& runs, std::size_t metric) {
   std::vector<double> all;
   for (const Values& values : runs) {
     if (metric < values.size() && values[metric]) all.push_back(*values[metric]);
   }
-  std::ranges::sort(all);
+  std::ranges::sort(all, [](double a, double b) { return a < b || (std::isnan(b) && !std::isnan(a)); });
   return all;
 }
 

@@ -7,7 +7,9 @@
 
 #include "golden/bless/bless_log.h"
 #include "golden/run/obstacle.h"
+#include "golden/run/run_session.h"
 #include "golden/suite/parse_rules.h"
+#include "golden/suite/text_files.h"
 #include "tests/support/golden_suite.h"
 #include "tumble/replay/recorder.h"
 #include "tumble/scenes/scene_file.h"
@@ -142,6 +144,22 @@ TEST_F(Bless, MakesACaseOfARecordedSession) {
   EXPECT_FALSE(bless_log(request).ok()) << "the name is taken";
   request.name = "../escape";
   EXPECT_FALSE(bless_log(request).ok());
+}
+
+// A body that leaves the world ends its session: the log is whole, and each check of the case would fail.
+TEST_F(Bless, NoCaseIsMadeOfASessionThatEndsEarly) {
+  const std::string scene =
+      "[world]\ndt = 0.1\ngravity = [0, 0, 0]\nground = false\n"
+      "[[box]]\nposition = [32000, 0, 0.5]\nvelocity = [8000, 0, 0]\n";
+  const Result<sim::SceneDef> parsed = scenes::parse_scene(scene, "scene.toml");
+  ASSERT_TRUE(parsed.ok()) << parsed.error().message;
+  const Result<Session> session = run_session(*parsed, scene);
+  ASSERT_TRUE(session.ok() && !session->failure.empty());
+  const std::string log = suite_.root() / "early.tumble";
+  ASSERT_TRUE(write_file(log, std::span<const std::byte>(*session->log)).ok());
+  const Result<BlessReport> report = bless_log({suite_.root(), "early", log, "seen in the field", false});
+  ASSERT_FALSE(report.ok());
+  EXPECT_NE(report.error().message.find("its scene ends early"), std::string::npos) << report.error().message;
 }
 
 TEST(CaseRules, ErrorsNameThePlaceAndWhatIsWanted) {

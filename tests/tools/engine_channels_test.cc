@@ -256,5 +256,31 @@ TEST(EngineChannels, AGoldenOfManyStepsIsReadBack) {
   EXPECT_EQ(checked.exit, 0) << checked.out;
 }
 
+// A number that is none is neither the least nor the largest of the runs, wherever sorting leaves it.
+TEST(EngineChannels, ThatAreNoNumberInOneOfManyRunsFailTheirBound) {
+  const Workshop shop;
+  std::string text = table();
+  text.replace(text.find("frozen"), 6, "frozen,world.knee");
+  for (std::size_t at = text.find("\n0,"); (at = text.find('\n', at + 1)) != std::string::npos; at += 6) {
+    text.insert(at, ",@knee");
+  }
+  shop.write("table.in", text);
+  shop.write("engine.sh",
+             "n=$(cat count 2>/dev/null || echo 0); echo $(((n + 1) % 5)) >count\n"
+             "knee=1.$n; [ -f odd ] && [ $n = 1 ] && knee=nan\nsed \"s/@knee/$knee/\" table.in >\"$1\"\n");
+  shop.write("tumble.toml", "[engine]\nrun = \"sh engine.sh {log}\"\n");
+  shop.write("golden/cases/knee/setup.txt", "bent");
+  shop.write("golden/cases/knee/metrics.toml",
+             "require = [\"behaviour\"]\n[engine]\nfiles = [\"setup.txt\"]\nrepeat = 5\n[[metric]]\n"
+             "name = \"channel.knee.last\"\nmax = 2.0\nwhy = \"it bends no further\"\n");
+  const Outcome blessed = shop.run({"bless", "knee", "--reason", "a test"});
+  ASSERT_EQ(blessed.exit, 0) << blessed.err;
+  ASSERT_EQ(shop.run({"check", "--report", "r"}).exit, 0);
+  shop.write("odd", "");
+  const Outcome odd = shop.run({"check", "--report", "r"});
+  EXPECT_EQ(odd.exit, 1) << odd.out;
+  EXPECT_TRUE(says(odd.out, "channel.knee.last") && says(odd.out, "in one of 5 runs: not a number")) << odd.out;
+}
+
 }  // namespace
 }  // namespace tumble::test

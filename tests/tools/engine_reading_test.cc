@@ -48,6 +48,35 @@ TEST(EngineReading, ReplayReadsATableByItsMapping) {
   EXPECT_TRUE(says(shop.run({"replay", "a.tumble"}).err, "[engine.table] key \"map\"")) << "a mapping without =";
 }
 
+// What `import` reads before the names of the columns is there for [engine.table] too: a mark of UTF-8, empty lines,
+// blanks, and names that hold commas.
+TEST(EngineReading, ReplayFindsTheNamesWhereImportFindsThem) {
+  const Workshop shop;
+  std::string text = table();
+  text.replace(text.find("position.x"), 10, "px");
+  shop.write("a.csv", text);
+  ASSERT_EQ(shop.run({"import", "a.csv", "--map", "position.x=px"}).exit, 0);
+  write_project(shop, "cp new.csv {log}", "[engine.table]\nmap = [\"position.x=px\"]\n");
+  for (const char* before : {"\n", "\xef\xbb\xbf", "\n  # a remark\n \n"}) {
+    shop.write("new.csv", before + text);
+    const Outcome same = shop.run({"replay", "a.tumble"});
+    EXPECT_EQ(same.exit, 0) << before << same.out << same.err;
+  }
+  std::string named = "# escapes: percent\n" + text;
+  named.replace(named.find("px"), 2, "p%2cx");
+  shop.write("new.csv", named);
+  write_project(shop, "cp new.csv {log}", "[engine.table]\nmap = [\"position.x=p,x\"]\n");
+  EXPECT_EQ(shop.run({"replay", "a.tumble"}).exit, 0);
+  named.replace(named.find("frozen"), 6, "frozen,_a%2cb");
+  for (std::size_t at = named.find("\n0,"); at != std::string::npos && at + 1 < named.size();) {
+    at = named.find('\n', at + 1);
+    if (at != std::string::npos) named.insert(at, ",1"), at += 2;
+  }
+  shop.write("new.csv", named);
+  const Outcome comma = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(comma.exit, 0) << comma.out << comma.err;
+}
+
 // An archive of arrays likewise, by the joints of its model.
 TEST(EngineReading, ReplayReadsAnArchiveOfArrays) {
   const Workshop shop;

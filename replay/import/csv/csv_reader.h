@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -36,6 +37,14 @@ class CsvReader {
   /// Gives a column another name; false where no column has the old one.
   bool rename(std::string_view column, const std::string& name);
   [[nodiscard]] const std::string& name() const { return name_; }  ///< of the table
+
+  /// The text before the line with the names of the columns, and the text behind it. Before the first next().
+  [[nodiscard]] std::string_view head() const {
+    return text_.substr(0, static_cast<std::size_t>(current_.data() - text_.data()));
+  }
+  [[nodiscard]] std::string_view rows() const { return text_.substr(std::min(begin_, text_.size())); }
+  /// Whether names and cells are as text_cell() writes them.
+  [[nodiscard]] bool escaped() const { return escaped_; }
 
   /// Moves to the next row; false at the end. Errors: the row has not as many cells as columns, or is the end of the
   /// text without a line end, because a number that was cut may still be a number.
