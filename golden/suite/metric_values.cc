@@ -30,6 +30,16 @@ std::optional<sim::Transform> transform_for(const MetricRule& rule) {
   return transform.identity() ? std::nullopt : std::optional<sim::Transform>(transform);
 }
 
+/// Errors (kBadInput): an axis that is not horizontal in the engine's own axes.
+Status check_axis(const MetricRule& rule, const replay::EngineAxes& axes) {
+  if (!rule.has_axis) return {};
+  const std::string first(1, axes.along(0).letter), second(1, axes.along(1).letter);
+  if (rule.axis == first || rule.axis == second) return {};
+  return bad_input("metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": axis: found " + rule.axis +
+                   ", which points up in the " + "engine's axes (" + to_string(axes) + "); wanted " +
+                   std::min(first, second) + " or " + std::max(first, second));
+}
+
 }  // namespace
 
 std::vector<const char*> metric_names() {
@@ -48,20 +58,15 @@ Status check_selection(const MetricRule& rule) {
   return bodies.ok() ? Status() : Status(bodies.error());
 }
 
-Status check_axis(const MetricRule& rule, const replay::EngineAxes& axes) {
-  if (!rule.has_axis) return {};
-  const std::string first(1, axes.along(0).letter), second(1, axes.along(1).letter);
-  if (rule.axis == first || rule.axis == second) return {};
-  return bad_input("metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": axis: found " + rule.axis +
-                   ", which points up in the " + "engine's axes (" + to_string(axes) + "); wanted " +
-                   std::min(first, second) + " or " + std::max(first, second));
-}
-
-replay::MeasureOptions options_of(const MetricRule& rule, const replay::EngineAxes& axes,
-                                  const replay::BodyTable& named) {
+Result<replay::MeasureOptions> options_of(const MetricRule& rule, const replay::EngineAxes& axes,
+                                          const replay::BodyTable& named) {
+  if (Status ok = check_axis(rule, axes); !ok.ok()) return ok.error();
+  Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies, named);
+  if (!bodies.ok()) {
+    return bad_input("metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": " + bodies.error().message);
+  }
   replay::MeasureOptions options;
-  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies, named); bodies.ok())
-    options.bodies = *bodies;
+  options.bodies = *std::move(bodies);
   const bool second = rule.has_axis && rule.axis == std::string(1, axes.along(1).letter);
   options.lateral = second ? replay::LateralAxis::kY : replay::LateralAxis::kX;
   options.from_step = rule.from_step;
@@ -80,13 +85,9 @@ MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : 
     of_rule_.push_back(static_cast<std::size_t>(known - choices.begin()));
     if (known != choices.end()) continue;
     choices.push_back(&rule);
-    measurers_.emplace_back(header, options_of(rule, header.axes(), named));
-    if (choices_.ok()) choices_ = check_axis(rule, header.axes());
-    const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies, named);
-    if (choices_.ok() && !bodies.ok()) {
-      choices_ =
-          bad_input("metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": " + bodies.error().message);
-    }
+    const Result<replay::MeasureOptions> options = options_of(rule, header.axes(), named);
+    if (choices_.ok() && !options.ok()) choices_ = options.error();
+    measurers_.emplace_back(header, options.ok() ? *options : replay::MeasureOptions());
   }
   others_read_ = open_others();
 }

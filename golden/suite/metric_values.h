@@ -21,13 +21,10 @@ std::string metric_unit(const std::string& name);
 /// Errors (kBadInput): bodies that are not written as docs/metrics.md says.
 Status check_selection(const MetricRule& rule);
 
-/// Errors (kBadInput): an axis that is not horizontal in the engine's own axes.
-Status check_axis(const MetricRule& rule, const replay::EngineAxes& axes);
-
-/// The bodies, axis and steps of a rule that check_selection() and check_axis() found right. axes and names: of the
-/// session.
-replay::MeasureOptions options_of(const MetricRule& rule, const replay::EngineAxes& axes,
-                                  const replay::BodyTable& named);
+/// The bodies, axis and steps of a rule. axes and names: of the session. Errors (kBadInput), each with the line of the
+/// rule: an axis that is not horizontal in the engine's own axes, a body that the session has not.
+Result<replay::MeasureOptions> options_of(const MetricRule& rule, const replay::EngineAxes& axes,
+                                          const replay::BodyTable& named);
 
 /// Whether the metric compares the session with one of a transformed scene.
 bool needs_transformed_scene(const MetricRule& rule);

@@ -63,6 +63,24 @@ TEST(View, TakesTheBoundsOfACase) {
   EXPECT_TRUE(says(wrong.err, "wrong.toml")) << wrong.err;
 }
 
+// Bounds of a case are metres in every engine; the lane has the session's unit.
+TEST(View, TakesTheBoundsOfAnEnginesCaseAsCheckDoes) {
+  const Workshop shop;
+  const std::string centimetres = "# length: cm\n" + table();
+  ASSERT_EQ(import(shop, centimetres).exit, 0);
+  const std::string rule = "[command]\nrun = \"x {scene} {log}\"\n[[metric]]\nname = \"drift_max\"\nmax = 2.0\n";
+  const std::string against = "[[metric]]\nname = \"parting_time.0.1\"\nmin = 0.1\nagainst = \"o\"\nwhy = \"x\"\n";
+  shop.write("metrics.toml", rule + "why = \"x\"\n" + against);
+  const Outcome made = shop.run({"view", "t.tumble", "-o", "t.html", "--bounds", "metrics.toml"});
+  ASSERT_EQ(made.exit, 0) << made.err;
+  EXPECT_TRUE(says(shop.read("t.html"), R"(drift_max \u003c= 200)"));
+  EXPECT_TRUE(says(made.err, "parting_time.0.1 compares with another session")) << made.err;
+  shop.write("metrics.toml", rule + "bodies = \"wheel\"\nwhy = \"x\"\n");
+  const Outcome none = shop.run({"view", "t.tumble", "-o", "t.html", "--bounds", "metrics.toml"});
+  EXPECT_EQ(none.exit, 2) << "all bodies in place of one that is not there";
+  EXPECT_TRUE(says(none.err, "metrics.toml:4: drift_max: ") && says(none.err, "wheel")) << none.err;
+}
+
 TEST(View, RefusesBadUsage) {
   const Workshop shop;
   shop.record_small("s");

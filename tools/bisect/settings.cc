@@ -34,6 +34,10 @@ std::string Settings::fingerprint() const {
                {"engine_map", engine_table.map},
                {"engine_map_file", engine_table.map_file},
                {"engine_header", engine_table.header},
+               {"engine_model", engine_table.model},
+               {"engine_scalar_last", engine_table.scalar_last},
+               {"engine_channels", engine_table.channels},
+               {"timeout", timeout_s},
                {"shell", shell}};
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }

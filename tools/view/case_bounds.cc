@@ -28,15 +28,19 @@ Result<CaseBounds> bounds_of_case(const std::string& file, const replay::EngineA
   if (!rules.ok()) return rules.error();
   CaseBounds found;
   for (const golden::MetricRule& rule : rules->metrics) {
-    if (golden::needs_transformed_scene(rule)) {
-      found.notes.push_back(printable(file) + ": " + rule.name +
-                            " compares with a transformed scene and has no value step by step; tumble check judges it");
+    const replay::MetricRow* metric = replay::find_metric(rule.name);
+    const bool of_scene = golden::needs_transformed_scene(rule);
+    if (of_scene || metric->needs_other_session()) {
+      found.notes.push_back(printable(file) + ": " + printable(rule.name) + " compares with " +
+                            (of_scene ? "a transformed scene" : "another session") +
+                            " and has no value step by step; tumble check judges it");
       continue;
     }
-    if (Status ok = golden::check_axis(rule, axes); !ok.ok()) return ok.error();
-    const auto add = [&](Comparison comparison, const char* sign, double limit) {
-      replay::MetricBound bound{replay::find_metric(rule.name), comparison, limit, bound_text(rule, sign, limit)};
-      found.bounds.push_back({std::move(bound), golden::options_of(rule, axes, named), rule.may_be_null});
+    const Result<replay::MeasureOptions> options = golden::options_of(rule, axes, named);
+    if (!options.ok()) return options.error();
+    const auto add = [&](Comparison comparison, const char* sign, double metres) {
+      const double limit = metric->is_length() ? axes.their_metres(metres) : metres;
+      found.bounds.push_back({{metric, comparison, limit, bound_text(rule, sign, limit)}, *options, rule.may_be_null});
     };
     if (rule.min) add(Comparison::kAtLeast, ">=", *rule.min);
     if (rule.max) add(Comparison::kAtMost, "<=", *rule.max);

@@ -16,8 +16,8 @@ struct CaseBounds {
   std::vector<std::string> notes;  ///< for people: metrics that no timeline has
 };
 
-/// The bounds of a case's metrics.toml: one for each limit of each metric. axes and names: of the session. Errors:
-/// read_rules'; an axis that is not horizontal there.
+/// The bounds of a case's metrics.toml: one for each limit of each metric. Limits of lengths, m in the file, are in the
+/// session's unit, as --require has them. axes and names: of the session. Errors: read_rules', options_of()'s.
 Result<CaseBounds> bounds_of_case(const std::string& file, const replay::EngineAxes& axes,
                                   const replay::BodyTable& named);
 
