@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "src/base/check.h"
+#include "src/base/key_counts.h"
 #include "src/collide/sweep.h"
 
 namespace tumble::sim {
@@ -109,24 +109,14 @@ Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
   return strips_of_width(spread, width);
 }
 
-// Sorts the bodies by their low ends along the first axis, to within a bin: enough for a sweep, in linear time. Several
-// workers fill a bin in any order.
+// Sorts the bodies by their low ends along the first axis, to within a bin: enough for a sweep, in linear time.
 void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const Strips& bins, const Worker& worker) {
   const Worker::Share share = worker.share(low.size());
-  if (worker.first()) {
-    sweep.start.assign(bins.count + 1, 0);
-    sweep.order.resize(low.size());
-  }
-  worker.meet();
-  for (std::size_t i = share.begin; i < share.end; ++i) worker.add(sweep.start[bins.of(low[i]) + 1], 1U);
-  worker.meet();
-  if (worker.first()) {
-    for (std::uint32_t k = 0; k < bins.count; ++k) sweep.start[k + 1] += sweep.start[k];
-  }
-  worker.meet();
-  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
-    sweep.order[worker.add(sweep.start[bins.of(low[i])], 1U)] = i;
-  }
+  if (worker.first()) sweep.order.resize(low.size());
+  KeyCounts counts(sweep.next, bins.count, worker);
+  for (std::size_t i = share.begin; i < share.end; ++i) counts.add(bins.of(low[i]));
+  counts.find_places();
+  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) sweep.order[counts.take(bins.of(low[i]))] = i;
   worker.meet();
 }
 
@@ -151,32 +141,20 @@ void for_cells(const Cells& cells, const SweepScratch::Box& box, Visit visit) {
 void fill_cells(SweepScratch& sweep, const Cells& cells, const Worker& worker) {
   const std::size_t count = cells.count();
   const Worker::Share share = worker.share(sweep.boxes.size());
-  if (worker.first()) {
-    sweep.cell_start.resize(count + 1);
-    sweep.next.resize(count * worker.parts);
-  }
-  worker.meet();
-  std::uint32_t* const next = sweep.next.data() + worker.part * count;
-  std::fill_n(next, count, 0U);
+  if (worker.first()) sweep.cell_start.resize(count + 1);
+  KeyCounts counts(sweep.next, count, worker);
   for (std::size_t k = share.begin; k < share.end; ++k) {
-    for_cells(cells, sweep.boxes[k], [&](std::uint32_t c) { ++next[c]; });
+    for_cells(cells, sweep.boxes[k], [&](std::uint32_t c) { counts.add(c); });
   }
-  worker.meet();
+  const std::uint32_t all = counts.find_places([&](std::size_t c, std::uint32_t at) { sweep.cell_start[c] = at; });
   if (worker.first()) {
-    std::uint32_t begin = 0;
-    for (std::size_t c = 0; c < count; ++c) {
-      sweep.cell_start[c] = begin;
-      for (std::size_t part = 0; part < worker.parts; ++part) {
-        begin += std::exchange(sweep.next[part * count + c], begin);
-      }
-    }
-    sweep.cell_start[count] = begin;
-    sweep.entries.resize(begin);
+    sweep.cell_start[count] = all;
+    sweep.entries.resize(all);
   }
   worker.meet();
   for (std::size_t k = share.begin; k < share.end; ++k) {
     const SweepScratch::Box& box = sweep.boxes[k];
-    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[next[c]++] = {box, sweep.order[k]}; });
+    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[counts.take(c)] = {box, sweep.order[k]}; });
   }
   worker.meet();
 }
@@ -222,9 +200,34 @@ void sweep_cells(SweepScratch& sweep, const Cells& cells, double bin, const Work
   for (auto c = static_cast<std::uint32_t>(own.begin); c < own.end; ++c) sweep_cell(sweep, cells, c, bin, found);
 }
 
-void find_in_cells(Scratch& scratch) {
+// When the pairs of each body are sorted.
+void write_pairs(const SweepScratch& sweep, PairTable& pairs, const Worker& worker, std::size_t bodies) {
+  if (worker.first()) {
+    pairs.a.resize(sweep.partner.size());
+    pairs.b.resize(sweep.partner.size());
+    pairs.planes.assign(sweep.partner.size(), 0);
+  }
+  worker.meet();
+  const Worker::Share share = worker.share(bodies);
+  for (auto a = static_cast<BodyIndex>(share.begin); a < share.end; ++a) {
+    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
+      pairs.a[k] = a;
+      pairs.b[k] = sweep.partner[k];
+    }
+  }
+}
+
+}  // namespace
+
+void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs) {
   SweepScratch& sweep = scratch.sweep;
   const std::size_t n = scratch.frames.size();
+  if (n == 0) {
+    sweep.found_by.clear();
+    sweep.partner.clear();
+    pairs.clear();
+    return;
+  }
   const auto bodies = static_cast<double>(n);
   const std::array<Spread, 3> axes = longest_first(scratch);
   const Spread& first = axes[0];
@@ -237,37 +240,14 @@ void find_in_cells(Scratch& scratch) {
   sweep.boxes.resize(n);
   const unsigned parts = part_count(scratch.workers, n, kBodiesAPart);
   if (sweep.found_by.size() < parts) sweep.found_by.resize(parts);
-  std::swap(sweep.found, sweep.found_by[0]);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
     sort_into_bins(sweep, column_of(scratch.aabb_low, first.axis), bins, worker);
     gather_boxes(scratch, first.axis, axes[1].axis, axes[2].axis, worker.share(n));
     fill_cells(sweep, cells, worker);
     sweep_cells(sweep, cells, kBinReach * bins.width, worker);
+    sort_pairs(sweep, n, worker);
+    write_pairs(sweep, pairs, worker, n);
   });
-  std::swap(sweep.found, sweep.found_by[0]);
-  for (unsigned part = 1; part < parts; ++part) {
-    sweep.found.insert(sweep.found.end(), sweep.found_by[part].begin(), sweep.found_by[part].end());
-  }
-}
-
-}  // namespace
-
-void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs) {
-  SweepScratch& sweep = scratch.sweep;
-  sweep.found.clear();
-  if (!scratch.frames.empty()) find_in_cells(scratch);
-  sort_pairs(scratch);
-  pairs.a.resize(sweep.partner.size());
-  pairs.b.resize(sweep.partner.size());
-  for_ranges(scratch.workers, scratch.frames.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
-    for (auto a = static_cast<BodyIndex>(begin); a < end; ++a) {
-      for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
-        pairs.a[k] = a;
-        pairs.b[k] = sweep.partner[k];
-      }
-    }
-  });
-  pairs.planes.assign(sweep.partner.size(), 0);
 }
 
 }  // namespace tumble::sim

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/base/check.h"
+#include "src/base/key_counts.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/body_columns.h"
@@ -89,11 +90,11 @@ void gather(SweepScratch& sweep) {
 }
 
 // Finds every overlapping pair once, smaller index first, in swept order.
-void sweep_pairs(SweepScratch& sweep) {
-  sweep.found.clear();
+void sweep_pairs(SweepScratch& sweep, FoundPairs& found) {
+  found.clear();
   const std::vector<BodyIndex>& order = sweep.order;
   const std::size_t n = order.size();
-  for (std::size_t i = 0; i < n && sweep.found.size() <= near_pairs_max(n); ++i) {
+  for (std::size_t i = 0; i < n && found.size() <= near_pairs_max(n); ++i) {
     const SweepScratch::Box& p = sweep.boxes[i];
     for (std::size_t j = i + 1; j < n && sweep.boxes[j].low1 <= p.high1; ++j) {
       const SweepScratch::Box& q = sweep.boxes[j];
@@ -101,7 +102,7 @@ void sweep_pairs(SweepScratch& sweep) {
       const bool apart = static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
                          static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
       if (!apart) {
-        sweep.found.push_back(std::minmax(order[i], order[j]));
+        found.push_back(std::minmax(order[i], order[j]));
       }
     }
   }
@@ -125,8 +126,9 @@ void find_neighbours(Scratch& scratch) {
   SweepScratch& sweep = scratch.sweep;
   sort_boxes(sweep);
   gather(sweep);
-  sweep_pairs(sweep);
-  sort_pairs(scratch);
+  sweep.found_by.resize(1);
+  sweep_pairs(sweep, sweep.found_by[0]);
+  sort_pairs(sweep, scratch.frames.size(), {});
   sweep.neighbours.clear();
   for (BodyIndex a = 0; a < sweep.fat_low.size(); ++a) {
     for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k)
@@ -154,34 +156,29 @@ bool overlap(const Vec3Column& low, const Vec3Column& high, BodyIndex a, BodyInd
 
 Status check_crowd(const Scratch& scratch) {
   const std::size_t n = scratch.frames.size(), most = near_pairs_max(n);
-  if (scratch.sweep.found.size() <= most) return {};
+  if (scratch.sweep.partner.size() <= most) return {};
   return cannot_finish("found more than " + std::to_string(most) + " pairs of " + std::to_string(n) +
                        " bodies near one another; so many stand inside one another: set them farther apart");
 }
 
-void sort_pairs(Scratch& scratch) {
-  SweepScratch& sweep = scratch.sweep;
-  const std::size_t n = scratch.frames.size();
-  const std::size_t found = sweep.found.size();
-  sweep.start.assign(n + 1, 0);
-  sweep.partner.resize(found);
-  work_together(scratch.workers, part_count(scratch.workers, n, kBodiesAPart), [&](const Worker& worker) {
-    const Worker::Share pairs = worker.share(found), bodies = worker.share(n);
-    for (std::size_t k = pairs.begin; k < pairs.end; ++k) worker.add(sweep.start[sweep.found[k].first + 1], 1U);
-    worker.meet();
-    if (worker.first()) {
-      for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
-      sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
-    }
-    worker.meet();
-    for (std::size_t k = pairs.begin; k < pairs.end; ++k) {
-      sweep.partner[worker.add(sweep.next[sweep.found[k].first], 1U)] = sweep.found[k].second;
-    }
-    worker.meet();
-    for (std::size_t a = bodies.begin; a < bodies.end; ++a) {
-      std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
-    }
-  });
+void sort_pairs(SweepScratch& sweep, std::size_t bodies, const Worker& worker) {
+  const FoundPairs& found = sweep.found_by[worker.part];
+  if (worker.first()) sweep.start.resize(bodies + 1);
+  KeyCounts counts(sweep.next, bodies, worker);
+  for (const auto& pair : found) counts.add(pair.first);
+  const std::uint32_t all = counts.find_places([&](std::size_t a, std::uint32_t at) { sweep.start[a] = at; });
+  if (worker.first()) {
+    sweep.start[bodies] = all;
+    sweep.partner.resize(all);
+  }
+  worker.meet();
+  for (const auto& [a, b] : found) sweep.partner[counts.take(a)] = b;
+  worker.meet();
+  const Worker::Share share = worker.share(bodies);
+  for (std::size_t a = share.begin; a < share.end; ++a) {
+    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
+  }
+  worker.meet();
 }
 
 BoxColumns box_columns_of(Scratch& scratch, std::size_t n) {

@@ -24,9 +24,10 @@ constexpr std::size_t near_pairs_max(std::size_t bodies) { return (std::size_t{1
 /// Errors: kCannotFinish when the last sweep found more pairs than that; the sweep then stopped early.
 Status check_crowd(const Scratch& scratch);
 
-/// Sorts the pairs in sweep.found by (a, b): a counting sort for a, then a direct sort of the few b of each a. The
-/// partners of a are then sweep.partner[k] for sweep.start[a] <= k < sweep.start[a + 1].
-void sort_pairs(Scratch& scratch);
+/// What each of several workers does, who has found sweep.found_by: sorts the pairs of all by (a, b), by a counting
+/// sort for a, then a direct sort of the few b of each a. When the workers have met, the partners of a are
+/// sweep.partner[k] for sweep.start[a] <= k < sweep.start[a + 1].
+void sort_pairs(SweepScratch& sweep, std::size_t bodies, const Worker& worker);
 
 /// The column of an axis (0, 1, 2).
 inline const std::vector<double>& column_of(const Vec3Column& columns, int axis) {

@@ -13,6 +13,7 @@ std::size_t held(const ManifoldList& list);
 std::size_t held(const ContactBatches& b);
 std::size_t held(const FastContacts& f);
 std::size_t held(const SavedMotion& s);
+std::size_t held(const WaveScratch& w);
 template <class T, class Allocator>
 std::size_t held(const std::vector<T, Allocator>& items) {
   return items.capacity() * sizeof(T);
@@ -49,6 +50,7 @@ std::size_t held(const FastContacts& f) {
   return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits,
                  f.merged);
 }
+std::size_t held(const WaveScratch& w) { return held_by(w.pushed[0], w.pushed[1], w.taken, w.start); }
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
 
 template <class T>
@@ -72,8 +74,7 @@ void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
                    held_by(sweep.order, sweep.judged, sweep.fat_low, sweep.fat_high, sweep.boxes, sweep.start,
                            sweep.next, sweep.entries, sweep.cell_start, sweep.extents)});
   parts.push_back({"sweep: pairs", GrowsWith::kPairs,
-                   held_by(sweep.neighbours, sweep.found, sweep.partner, sweep.merged, s.old_planes) +
-                       held_inside(sweep.found_by)});
+                   held_by(sweep.neighbours, sweep.partner, sweep.merged, s.old_planes) + held_inside(sweep.found_by)});
 }
 
 void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
@@ -97,11 +98,12 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   parts.push_back(
       {"levels, islands and sleep", GrowsWith::kBodies,
        held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked, i.layers,
-               i.bodies, i.deepest, i.reach2, i.heaviest, s.graph.start, s.graph.next, s.waves.bodies, s.waves.start,
-               w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck,
-               w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.woken,
-               s.waking.wakes, s.sleeping.touching, s.sleeping.least, s.sleeping.restless, s.sleeping.held,
-               s.sleeping.together, s.sleeping.energy_before, s.sleeping.liveliest_before, s.sleeping.liveliest)});
+               i.bodies, i.deepest, i.reach2, i.heaviest, s.graph.start, s.graph.next, w.start, w.waiting_for,
+               w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck, w.stands, w.held, w.settled,
+               w.offered, s.island_links, s.waking.disturbed, s.waking.woken, s.waking.wakes, s.sleeping.touching,
+               s.sleeping.least, s.sleeping.restless, s.sleeping.held, s.sleeping.together, s.sleeping.energy_before,
+               s.sleeping.liveliest_before, s.sleeping.liveliest) +
+           held_inside(s.waves)});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

@@ -110,11 +110,11 @@ struct WakeScratch {
   std::vector<std::uint8_t> wakes;   ///< by the body that stands for an island
 };
 
-/// Bodies in waves (waves.h).
-struct WaveScratch {
-  std::vector<BodyIndex> bodies;     ///< wave by wave
-  std::vector<std::uint32_t> start;  ///< by wave, in `bodies`; one more at the end
-  std::uint32_t pushed[3] = {};      ///< bodies of three waves that follow one another
+/// Bodies in waves, as one worker pushes and treats them (waves.h).
+struct alignas(64) WaveScratch {
+  std::vector<BodyIndex> pushed[2];  ///< to waves of even and of odd numbers
+  std::vector<BodyIndex> taken;      ///< those that it treats, wave by wave
+  std::vector<std::uint32_t> start;  ///< by wave, in `taken`; one more at the end
 };
 
 /// The islands of a step. assign_levels writes them; part_overlaps `deepest`, carry_weights `bodies` to `heaviest`.

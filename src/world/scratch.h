@@ -47,20 +47,20 @@ struct SweepScratch {
   struct Box {
     double low1, high1, low2, high2, low3, high3;
   };
-  int axis = 0;                   ///< axis of the sweep
-  int age = 0;                    ///< sweeps since the axis was chosen
-  std::vector<BodyIndex> order;   ///< bodies by the low end of their boxes along the axis
-  std::vector<BodyIndex> judged;  ///< the order along an axis that might be better
-  std::vector<Box> boxes;         ///< extents of the boxes, in that order
-  Vec3Column fat_low, fat_high;   ///< fat AABBs
-  FoundPairs neighbours;          ///< pairs whose fat AABBs overlap, ascending
-  FoundPairs found;
-  std::vector<FoundPairs> found_by;  ///< by worker; the first one's are `found`
+  int axis = 0;                      ///< axis of the sweep
+  int age = 0;                       ///< sweeps since the axis was chosen
+  std::vector<BodyIndex> order;      ///< bodies by the low end of their boxes along the axis
+  std::vector<BodyIndex> judged;     ///< the order along an axis that might be better
+  std::vector<Box> boxes;            ///< extents of the boxes, in that order
+  Vec3Column fat_low, fat_high;      ///< fat AABBs
+  FoundPairs neighbours;             ///< pairs whose fat AABBs overlap, ascending
+  std::vector<FoundPairs> found_by;  ///< by worker
   struct Extents {
     double lowest = 0, highest = 0, sum = 0;  ///< m; of ends, and of the extents of boxes
   };
-  std::vector<Extents> extents;            ///< by worker and axis
-  std::vector<std::uint32_t> start, next;  ///< by body a, in `partner`
+  std::vector<Extents> extents;      ///< by worker and axis
+  std::vector<std::uint32_t> start;  ///< by body a, in `partner`
+  std::vector<std::uint32_t> next;   ///< memory of KeyCounts
   std::vector<BodyIndex> partner;
   PairTable merged;
   // Entries of the cells (find_overlaps_in_strips).
@@ -123,7 +123,7 @@ struct ContactGraph {
   std::vector<Link> links;           ///< by manifold
   std::vector<std::uint32_t> start;  ///< by body, in `ends`
   std::vector<std::uint32_t> ends;   ///< body by body, ascending: 2 · manifold + (1 where the body is b)
-  std::vector<std::uint32_t> next;   ///< by body, while `ends` is filled
+  std::vector<std::uint32_t> next;   ///< memory of KeyCounts, while `ends` is filled
 };
 
 /// A pair of bodies (lower row, higher row), or a body and kGround.
@@ -252,7 +252,7 @@ struct Scratch {
   SweepShares shares;                   ///< written by prepare_manifolds
   VisitScratch visits;                  ///< written by prepare_manifolds and every sweep
   OverlapScratch overlaps;              ///< written by part_overlaps
-  WaveScratch waves;                    ///< of assign_levels, then of carry_weights
+  std::vector<WaveScratch> waves;       ///< by worker; of assign_levels, then of carry_weights
   std::vector<BodyIndex> island_links;  ///< memory of Islands, of one phase at a time
   WakeScratch waking;
   IslandScratch islands;

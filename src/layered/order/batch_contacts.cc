@@ -45,7 +45,7 @@ class Grouping {
     all_.batches.resize(batches);
     all_.sides.resize(batches);
     all_.counts.resize(batches + 1);
-    all_.outcomes.resize(std::size_t{widest} * kLanes * 2);
+    make_outcomes(all_, widest);
   }
 
   void group_layer(std::uint32_t layer) {

@@ -1,7 +1,6 @@
 #include "src/layered/order/contact_graph.h"
 
-#include <algorithm>
-
+#include "src/base/key_counts.h"
 #include "src/layered/order/contact_motion.h"
 #include "src/world/islands.h"
 
@@ -35,27 +34,22 @@ void connect_contacts(const WorldState& state, Scratch& scratch) {
   ContactGraph& graph = scratch.graph;
   const std::size_t n = state.bodies.size(), manifolds = scratch.manifolds.size();
   graph.links.resize(manifolds);
-  graph.start.assign(n + 1, 0);
+  graph.start.resize(n + 1);
   const unsigned parts = part_count(scratch.workers, manifolds, kManifoldsAPart);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
-    const Worker::Share share = worker.share(manifolds), bodies = worker.share(n);
+    const Worker::Share share = worker.share(manifolds);
     for (std::size_t k = share.begin; k < share.end; ++k) {
       graph.links[k] = link_of(state, scratch, scratch.manifolds[k]);
     }
-    for_bodies(graph, share, [&](BodyIndex i, std::uint32_t) { worker.add(graph.start[i + 1], 1U); });
-    worker.meet();
+    KeyCounts counts(graph.next, n, worker);
+    for_bodies(graph, share, [&](BodyIndex i, std::uint32_t) { counts.add(i); });
+    const std::uint32_t all = counts.find_places([&](std::size_t i, std::uint32_t at) { graph.start[i] = at; });
     if (worker.first()) {
-      for (std::size_t i = 0; i < n; ++i) graph.start[i + 1] += graph.start[i];
-      graph.ends.resize(graph.start[n]);
-      graph.next.assign(graph.start.begin(), graph.start.end() - 1);
+      graph.start[n] = all;
+      graph.ends.resize(all);
     }
     worker.meet();
-    for_bodies(graph, share, [&](BodyIndex i, std::uint32_t end) { graph.ends[worker.add(graph.next[i], 1U)] = end; });
-    if (worker.parts == 1) return;  // the ends of each body ascend
-    worker.meet();
-    for (std::size_t i = bodies.begin; i < bodies.end; ++i) {
-      std::sort(graph.ends.begin() + graph.start[i], graph.ends.begin() + graph.start[i + 1]);
-    }
+    for_bodies(graph, share, [&](BodyIndex i, std::uint32_t end) { graph.ends[counts.take(i)] = end; });
   });
 }
 
