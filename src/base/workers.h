@@ -94,8 +94,11 @@ void raise(Number& most, Number x) {
 
 }  // namespace shared
 
-/// Sets a byte that several workers may set at a time, all to 1.
-inline void mark(std::uint8_t& byte) { shared::write(byte, std::uint8_t{1}); }
+/// Sets a byte that several workers may set at a time, all to 1. One that is set is not written, so that its line stays
+/// with all who read it.
+inline void mark(std::uint8_t& byte) {
+  if (shared::read(byte) == 0) shared::write(byte, std::uint8_t{1});
+}
 
 /// One of the workers that do a task together and meet on the way.
 struct Worker {

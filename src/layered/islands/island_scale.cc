@@ -1,8 +1,27 @@
 #include "src/layered/islands/island_scale.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tumble::sim {
+
+namespace {
+
+// Bodies of one island that follow one another.
+struct Run {
+  BodyIndex island = 0;
+  std::uint32_t bodies = 0;
+  double heaviest = 0, reach2 = 1;
+
+  void add_to(IslandScratch& islands, const Worker& worker) const {
+    if (bodies == 0) return;
+    worker.add(islands.bodies[island], bodies);
+    worker.raise(islands.heaviest[island], heaviest);
+    worker.raise(islands.reach2[island], reach2);
+  }
+};
+
+}  // namespace
 
 void measure_islands(const Bodies& bodies, Scratch& scratch) {
   IslandScratch& islands = scratch.islands;
@@ -12,13 +31,18 @@ void measure_islands(const Bodies& bodies, Scratch& scratch) {
   const unsigned parts = part_count(scratch.workers, bodies.size(), kBodiesAPart);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
     const Worker::Share share = worker.share(bodies.size());
+    Run run;
     for (std::size_t i = share.begin; i < share.end; ++i) {
       if (scratch.graph.start[i] == scratch.graph.start[i + 1]) continue;
-      const BodyIndex island = islands.of[i];
-      worker.add(islands.bodies[island], 1U);
-      worker.raise(islands.heaviest[island], bodies.mass[i]);
-      worker.raise(islands.reach2[island], dot(bodies.half_extent[i], bodies.half_extent[i]));
+      if (islands.of[i] != run.island) {
+        run.add_to(islands, worker);
+        run = {islands.of[i]};
+      }
+      ++run.bodies;
+      run.heaviest = std::max(run.heaviest, bodies.mass[i]);
+      run.reach2 = std::max(run.reach2, dot(bodies.half_extent[i], bodies.half_extent[i]));
     }
+    run.add_to(islands, worker);
   });
 }
 

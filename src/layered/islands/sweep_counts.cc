@@ -47,6 +47,31 @@ int sweeps_for(std::uint32_t layers, bool hard) {
   return hard ? kHardSweeps : std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
 }
 
+// Contacts of an island mostly follow one another: each worker looks at its line once for all of them.
+void count_layers(const Bodies& bodies, Scratch& scratch, const SweepGroup& soft) {
+  IslandScratch& own = scratch.islands;
+  const std::vector<ContactGraph::Link>& links = scratch.graph.links;
+  for_ranges(scratch.workers, links.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    BodyIndex island = 0;
+    std::uint32_t layers = 0;
+    const auto raise_island = [&] {
+      if (layers > 0) shared::raise(own.layers[island], layers);
+    };
+    for (std::size_t k = begin; k < end; ++k) {
+      // The last layer has islands that touch nothing at rest, and so no levels.
+      if (!links[k].awake || links[k].layer + 1 >= soft.end) continue;
+      const BodyIndex at = own.hit[mover_of(bodies, links[k])];
+      if (at != island) {
+        raise_island();
+        island = at;
+        layers = 0;
+      }
+      layers = std::max(layers, links[k].layer + 2);
+    }
+    raise_island();
+  });
+}
+
 }  // namespace
 
 int most_sweeps(std::uint32_t layers, bool hard) { return std::max<int>(kHitSweeps, sweeps_for(layers, hard)); }
@@ -61,10 +86,7 @@ void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std
   own.layers.assign(bodies.size(), kFewestLayers);
   own.most_sweeps.assign(bodies.size(), 1);
   own.has_bar.assign(bodies.size(), 0);
-  for_awake(scratch, [&](const ContactGraph::Link& link) {
-    // The last layer has islands that touch nothing at rest, and so no levels.
-    if (link.layer + 1 < soft.end) shared::raise(own.layers[own.hit[mover_of(bodies, link)]], link.layer + 2);
-  });
+  count_layers(bodies, scratch, soft);
   for (const auto& [a, b] : scratch.fast.pairs) {
     if (!at_rest(bodies, a) && !at_rest(bodies, b)) own.most_sweeps[own.hit[a]] = kHitSweeps;
     for (const BodyIndex i : {a, b}) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -79,20 +80,31 @@ class SharesBuilder {
   // Gives every worker as many batches of a layer, side by side.
   void cut_layer(std::uint32_t layer) {
     const std::uint32_t begin = all_.layer_start[layer], count = all_.layer_start[layer + 1] - begin;
-    places_.clear();
-    for (std::uint32_t k = begin; k < begin + count; ++k) places_.emplace_back(place_of_batch(k), k);
-    if (!std::ranges::is_sorted(places_)) std::ranges::sort(places_);
     const unsigned parts = worker_.parts;
     // Worker w has the ranks r with (2 r + 1) parts / (2 count) = w, so that few batches lie in the middle of a share.
-    const auto rank_from = [&](std::uint64_t w) {
-      return static_cast<std::uint32_t>((2 * w * count + parts - 1) / (2 * parts));
-    };
-    for (unsigned w = 0; w < parts; ++w) {
-      const std::uint32_t from = rank_from(w), to = rank_from(w + 1);
-      shares_.first[std::size_t{layer} * parts + w] = begin + from;
-      std::uint32_t* const own = shares_.order.data() + begin;
-      for (std::uint32_t r = from; r < to; ++r) own[r] = places_[r].second;
-      std::sort(own + from, own + to);
+    std::array<std::uint32_t, kSharesMost + 1> from{};
+    for (std::uint64_t w = 0; w <= parts; ++w) {
+      from[w] = static_cast<std::uint32_t>((2 * w * count + parts - 1) / (2 * parts));
+    }
+    for (unsigned w = 0; w < parts; ++w) shares_.first[std::size_t{layer} * parts + w] = begin + from[w];
+    places_.clear();
+    for (std::uint32_t k = begin; k < begin + count; ++k) places_.emplace_back(place_of_batch(k), k);
+    std::uint32_t* const own = shares_.order.data() + begin;
+    if (std::ranges::is_sorted(places_)) {
+      std::iota(own, own + count, begin);
+      return;
+    }
+    // The first place of each share; then the batches go to their shares, and stay in order there.
+    std::array<std::pair<double, std::uint32_t>, kSharesMost> cuts;
+    places_.insert(places_.end(), places_.begin(), places_.end());
+    const auto ranked = places_.begin() + count;
+    for (unsigned w = 1; w < parts; ++w) {
+      if (from[w] < count) std::nth_element(ranked + from[w - 1], ranked + from[w], places_.end());
+      cuts[w - 1] = from[w] < count ? ranked[from[w]] : std::pair(std::numeric_limits<double>::max(), 0U);
+    }
+    for (std::uint32_t r = 0; r < count; ++r) {
+      const auto w = std::upper_bound(cuts.begin(), cuts.begin() + (parts - 1), places_[r]) - cuts.begin();
+      own[from[static_cast<std::size_t>(w)]++] = places_[r].second;
     }
   }
 
@@ -145,14 +157,19 @@ class SharesBuilder {
       std::uint64_t& heirs = shares_.heirs[at(layer)] = 0;
       std::uint32_t* const begin = shares_.order.data() + shares_.first[at(layer)];
       std::uint32_t* const end = shares_.order.data() + shares_.first[at(layer) + 1];
-      std::uint32_t* const rest = std::partition(begin, end, [&](std::uint32_t k) {
-        const std::uint64_t others = name_rows_of(k);
+      std::uint32_t* urgent = begin;
+      places_.clear();  // of the others
+      for (const std::uint32_t* k = begin; k != end; ++k) {
+        const std::uint64_t others = name_rows_of(*k);
         heirs |= others;
-        return others != 0;
-      });
-      std::sort(begin, rest);
-      std::sort(rest, end);
-      shares_.urgent[at(layer)] = static_cast<std::uint32_t>(rest - begin);
+        if (others != 0) {
+          *urgent++ = *k;
+        } else {
+          places_.emplace_back(0, *k);
+        }
+      }
+      shares_.urgent[at(layer)] = static_cast<std::uint32_t>(urgent - begin);
+      for (const auto& place : places_) *urgent++ = place.second;
     }
   }
   // Returns the other workers who use bodies of the batch.
