@@ -237,6 +237,7 @@ struct Scratch {
   LargeVector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   LargeVector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by worker
+  std::vector<std::uint64_t> work;         ///< by block of bodies, while find_manifolds cuts its parts
   FastContacts fast;
   bool found_again = false;                ///< whether wake_islands found the manifolds again
   ContactGraph graph;                      ///< written by assign_levels

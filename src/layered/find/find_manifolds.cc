@@ -1,8 +1,10 @@
 #include "src/layered/find/find_manifolds.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "src/layered/find/build_manifolds.h"
 #include "src/layered/find/contact_memory.h"
@@ -15,20 +17,54 @@ namespace {
 
 constexpr std::size_t kWorthPairs = 1024;  // and bodies, that pay for one more worker
 
-// The first body of a part; all parts get about one number of pairs and bodies.
-BodyIndex first_body(const WorldState& state, unsigned part, unsigned parts) {
-  const PairTable& pairs = state.pairs;
-  const std::size_t n = state.bodies.size(), wanted = (pairs.size() + n) * part / parts;
-  BodyIndex low = 0, high = static_cast<BodyIndex>(n);
-  while (low < high) {
-    const BodyIndex middle = low + (high - low) / 2;
-    if (pairs_before(pairs, middle) + middle < wanted) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
+constexpr std::size_t kBlocksAPart = 32;    // of bodies: parts consist of whole blocks
+constexpr std::uint64_t kContactWork = 12;  // of a contact that is built or followed; of a body or a pair 1
+
+// The range of bodies of a block.
+Worker::Share block(std::size_t bodies, std::size_t k, std::size_t blocks) {
+  return {bodies * k / blocks, bodies * (k + 1) / blocks};
+}
+
+// About what it takes to build the manifolds of some bodies: they mostly have as many contacts as in the last step.
+// Contacts may lie side by side, beside bodies that sleep or fall, so to count bodies and pairs does not do.
+std::uint64_t work_of(const WorldState& state, std::span<const ContactPair> fast, const Worker::Share& of) {
+  const Bodies& bodies = state.bodies;
+  const ContactMemory& memory = state.contact_memory;
+  const auto first = static_cast<BodyIndex>(of.begin), end = static_cast<BodyIndex>(of.end);
+  std::uint64_t contacts = 0;
+  const std::size_t past = contacts_before(memory, {end, 0});
+  for (std::size_t k = contacts_before(memory, {first, 0}); k < past; ++k) {
+    const bool moves = (memory.a[k] != kGround && bodies.moves(memory.a[k])) || bodies.moves(memory.b[k]);
+    contacts += moves ? 1U : 0U;
   }
-  return low;
+  const auto fast_before = [&](BodyIndex i) { return std::ranges::lower_bound(fast, ContactPair(i, 0)); };
+  contacts += static_cast<std::uint64_t>(fast_before(end) - fast_before(first));
+  return (of.end - of.begin) + (pairs_before(state.pairs, end) - pairs_before(state.pairs, first)) +
+         kContactWork * contacts;
+}
+
+// The first body of a part, so that all parts have about as much work. work: by block.
+BodyIndex first_body(std::span<const std::uint64_t> work, std::size_t bodies, unsigned part, unsigned parts) {
+  const std::uint64_t wanted = std::accumulate(work.begin(), work.end(), std::uint64_t{0}) * part / parts;
+  std::size_t k = 0;
+  for (std::uint64_t before = 0; k < work.size() && before < wanted; ++k) before += work[k];
+  return static_cast<BodyIndex>(block(bodies, k, work.size()).begin);
+}
+
+// Calls visit(part, first, end) for the bodies [first, end) of each part, by several workers at a time.
+template <class Visit>
+void for_bodies(const WorldState& state, Scratch& scratch, unsigned parts, Visit visit) {
+  const std::size_t n = state.bodies.size();
+  if (parts == 1) return visit(0U, BodyIndex{0}, static_cast<BodyIndex>(n));
+  std::vector<std::uint64_t>& work = scratch.work;
+  work.resize(kBlocksAPart * parts);
+  const std::vector<ContactPair>& fast = scratch.manifolds_by[0].fast_pairs;  // of the last step, until it is built
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    const Worker::Share own = worker.share(work.size());
+    for (std::size_t k = own.begin; k < own.end; ++k) work[k] = work_of(state, fast, block(n, k, work.size()));
+    worker.meet();
+    visit(worker.part, first_body(work, n, worker.part, parts), first_body(work, n, worker.part + 1, parts));
+  });
 }
 
 // Exchanges the lists of the scratch with those of the first worker, who then finds into the former without a copy.
@@ -80,9 +116,8 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.held = state.bodies.frozen;
   for (const BodyIndex i : scratch.waking.woken) scratch.held[i] = 1;
   mark_held(state.contact_memory, scratch.workers, scratch.held);
-  for_parts(scratch.workers, parts, [&](unsigned part) {
-    build_manifolds(state, scratch, dt_s, first_body(state, part, parts), first_body(state, part + 1, parts),
-                    scratch.manifolds_by[part], hasher);
+  for_bodies(state, scratch, parts, [&](unsigned part, BodyIndex first, BodyIndex end) {
+    build_manifolds(state, scratch, dt_s, first, end, scratch.manifolds_by[part], hasher);
   });
   std::size_t found = 0;
   for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();
