@@ -75,6 +75,13 @@ Json to_json(const Finding& finding) {
 
 std::string whole_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+namespace {
+
+// A value that is no finite number is null in JSON.
+double number_from(const Json& json) { return json.is_null() ? std::nan("") : json.get<double>(); }
+
+}  // namespace
+
 Judgement judgement_from(const Json& json) {
   Judgement out;
   out.outcome = Outcome::kBroken;
@@ -82,9 +89,8 @@ Judgement judgement_from(const Json& json) {
   out.phase = json.at("phase");
   out.body = json.at("body");
   out.what = json.at("what");
-  // A value that is no number is null in JSON.
-  out.value = json.at("value").is_number() ? json.at("value").get<double>() : std::nan("");
-  out.bound = json.at("bound");
+  out.value = number_from(json.at("value"));
+  out.bound = number_from(json.at("bound"));
   out.unit = json.at("unit");
   return out;
 }

@@ -126,6 +126,13 @@ TEST(HuntLaws, SeeWhatIsNoNumber) {
   expect_broken("numbers", tampered(kDrop, 9, [](sim::Bodies& b) { b.orientation.w[0] = 1.001; }), 9);
 }
 
+// The square of such a speed overflows, and so does a bound that is a part of the energy.
+TEST(HuntLaws, DoNotHoldWhereTheirBoundOverflows) {
+  const Trace fast = tampered(kDrop, 9, [](sim::Bodies& b) { b.velocity.x[0] = 1e200; });
+  expect_broken("energy", fast, 9);
+  EXPECT_EQ(describe(judge("energy", fast)), "step 9: values are too large, or none, to be judged: energy was gained");
+}
+
 TEST(HuntLaws, SeeAWorldThatIsNotTheScene) {
   expect_broken("start", tampered(kDrop, 0, [](sim::Bodies& b) { b.mass[0] *= 1.001; }), 0);
   expect_broken("start", tampered(kDrop, 0, [](sim::Bodies& b) { b.inertia.y[0] *= 1.001; }), 0);

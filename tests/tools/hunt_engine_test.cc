@@ -192,16 +192,21 @@ TEST(HuntEngine, LeavesItsTableAsItWroteIt) {
             Json({"finishes_1_0.tumble"}));
 }
 
-// Each law is asked of a session in which a body is nowhere from step 2 on.
-TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {
-  const Workshop shop;
+/// An engine whose sessions have another number in a column from step 2 on.
+void write_engine_with(const Workshop& shop, const std::string& column, const std::string& number) {
   shop.write("e.sh",
              "#!/bin/sh\n" TUMBLE_PROGRAM " record $1 -o $2.own --quiet || exit 2\n" TUMBLE_PROGRAM
              " export $2.own -o $2.csv >/dev/null\nawk -F, -v OFS=, '/^#/ { print; next } !c { for (i = 1; i <= "
-             "NF; i++) if ($i == \"position.x\") c = i; print; next } $1 >= 2 { $c = \"nan\" } { print }' "
-             "$2.csv >$2\n");
+             "NF; i++) if ($i == \"" +
+                 column + "\") c = i; print; next } $1 >= 2 { $c = \"" + number + "\" } { print }' $2.csv >$2\n");
   std::filesystem::permissions(shop.path("e.sh"), std::filesystem::perms::owner_all);
   shop.write("tumble.toml", "[engine]\nrun = \"./e.sh {scene} {log}\"\n");
+}
+
+// Each law is asked of a session in which a body is nowhere from step 2 on.
+TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {
+  const Workshop shop;
+  write_engine_with(shop, "position.x", "nan");
   const Outcome run = shop.run({"hunt", "--engine", "--count", "6", "--unshrunk", "--json"});
   const Json json = Json::parse(run.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << run.err;
@@ -209,6 +214,18 @@ TEST(HuntEngine, ThatLosesABodyHoldsNoLaw) {
   for (const char* law : {"energy", "momentum", "cone", "overlap", "unmet", "flight", "standing"})
     EXPECT_EQ(json.at("relations").at(law).at("held"), 0U) << law;
   EXPECT_GT(json.at("relations").at("overlap").at("broken"), 0U);
+}
+
+// Speeds whose squares overflow, as of an engine that explodes.
+TEST(HuntEngine, ThatExplodesHoldsNoEnergyAndIsJudgedToTheEnd) {
+  const Workshop shop;
+  write_engine_with(shop, "velocity.x", "1e200");
+  const Outcome run = shop.run({"hunt", "--engine", "--count", "6", "--shrink", "1", "--json"});
+  const Json json = Json::parse(run.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << run.err;
+  EXPECT_EQ(json.at("scenes"), 6U) << run.err;
+  EXPECT_EQ(json.at("relations").at("energy").at("held"), 0U) << run.out;
+  EXPECT_GT(json.at("relations").at("energy").at("broken"), 0U) << run.out;
 }
 
 // Its session holds one body, which no drawn scene has: judges read no body that is not there, and nothing holds of it.

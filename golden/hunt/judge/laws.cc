@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "golden/hunt/judge/bounds.h"
 #include "golden/hunt/judge/mechanics.h"
@@ -29,6 +30,10 @@ bool on_grid(const Vec3& v, double step) {
 
 void Worst::add(std::uint64_t step, sim::BodyId body, double value, double bound, const char* what) {
   if (is_broken()) return;
+  if (!std::isfinite(bound)) {
+    worst_ = broken(step, body, std::string("values are too large, or none, to be judged: ") + what);
+    return;
+  }
   const bool breaks = !(value <= bound);
   const bool nearer = worst_.bound <= 0 || value * worst_.bound > worst_.value * bound;
   if (!breaks && !nearer) return;

@@ -27,7 +27,8 @@ class Worst {
  public:
   explicit Worst(std::string unit) : unit_(std::move(unit)) {}
 
-  /// A value found in the step that leads to state `step`. A value that is no number breaks the law.
+  /// A value found in the step that leads to state `step`. A value that is no number breaks the law, and so
+  /// does a bound that is none or overflows: it bounds nothing.
   void add(std::uint64_t step, sim::BodyId body, double value, double bound, const char* what);
 
   /// Broken at the first step in which a value was beyond its bound; held: the value nearest to its bound.
