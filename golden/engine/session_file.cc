@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -135,11 +134,6 @@ Status convert_table(const std::string& table, const std::string& converted, rep
   return Error{summary.error().kind, "wrote a table that no log can hold: " + summary.error().message};
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 const char* ending_of_session(const std::string& path) {
@@ -160,8 +154,13 @@ Result<SessionLog> log_of_session(const std::string& path, const std::string& co
   const FileKind kind = kind_of(path);
   SessionLog log = {kind == FileKind::kLog ? path : converted, {}, "", ""};
   if (kind == FileKind::kLog) return log;
-  const Status done = kind == FileKind::kStream ? convert_stream(path, converted, false, log)
-                                                : convert_table(text_of(path), converted, like, log);
+  Status done;
+  if (kind == FileKind::kStream) {
+    done = convert_stream(path, converted, false, log);
+  } else {
+    const Result<std::string> table = read_table(path);
+    done = table.ok() ? convert_table(*table, converted, like, log) : table.error();
+  }
   return done.ok() ? Result<SessionLog>(std::move(log)) : done.error();
 }
 
@@ -176,9 +175,11 @@ std::optional<std::string> log_so_far(const std::string& path, const std::string
     return convert_stream(path, converted, true, log).ok() ? std::optional<std::string>(converted) : std::nullopt;
   }
   const std::string copy = converted + ".table";  // which is read as the whole one will be
-  if (!write_file(copy, std::string_view(text_of(path))).ok()) return {};
+  const Result<std::string> written = read_table(path);
+  if (!written.ok() || !write_file(copy, std::string_view(*written)).ok()) return {};
   if (!rewrite_table(copy, project.table, project.folder).ok()) return {};
-  const std::string table = without_last_step(text_of(copy));
+  const Result<std::string> copied = read_table(copy);
+  const std::string table = copied.ok() ? without_last_step(*copied) : "";
   const bool is_done = !table.empty() && convert_table(table, converted, like, log).ok();
   return is_done ? std::optional<std::string>(converted) : std::nullopt;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -102,19 +101,10 @@ Status rewrite_table(const std::string& path, const TableReading& reading, const
   const bool has_names =
       reading.channels || !reading.map.empty() || !reading.map_file.empty() || !reading.header.empty();
   if (!is_archive && (!is_text || !has_names)) return {};
-  file.seekg(0);
-  std::string table{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (is_archive) {
-    Result<std::string> made = table_of_archive(table, reading, folder);
-    if (!made.ok()) return made.error();
-    table = *std::move(made);
-  }
-  if (has_names) {
-    Result<std::string> made = changed(table, reading, folder);
-    if (!made.ok()) return made.error();
-    table = *std::move(made);
-  }
-  return write_file(path, std::string_view(table));
+  Result<std::string> table = read_table(path);
+  if (table.ok() && is_archive) table = table_of_archive(*table, reading, folder);
+  if (table.ok() && has_names) table = changed(*table, reading, folder);
+  return table.ok() ? write_file(path, std::string_view(*table)) : table.error();
 }
 
 }  // namespace tumble::golden

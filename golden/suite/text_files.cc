@@ -14,8 +14,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBytesMax = std::size_t{256} << 20;
 
+constexpr std::size_t kTableBytesMax = std::size_t{4} << 30;
+
 template <class Content>
-Result<Content> read(const fs::path& path) {
+Result<Content> read(const fs::path& path, std::size_t bytes_max) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) return bad_input(path.string() + ": is a folder, not a file");
@@ -26,7 +28,7 @@ Result<Content> read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return bad_input(path.string() + ": cannot be opened: " + std::strerror(errno));
   const auto size = static_cast<std::size_t>(file.tellg());
-  if (size > kBytesMax) return bad_input(path.string() + ": larger than any file of a suite");
+  if (size > bytes_max) return bad_input(path.string() + ": larger than any such file");
   Content content(size, typename Content::value_type{});
   file.seekg(0);
   file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(size));
@@ -36,8 +38,11 @@ Result<Content> read(const fs::path& path) {
 
 }  // namespace
 
-Result<std::string> read_text(const fs::path& path) { return read<std::string>(path); }
-Result<std::vector<std::byte>> read_bytes(const fs::path& path) { return read<std::vector<std::byte>>(path); }
+Result<std::string> read_text(const fs::path& path) { return read<std::string>(path, kBytesMax); }
+Result<std::string> read_table(const fs::path& path) { return read<std::string>(path, kTableBytesMax); }
+Result<std::vector<std::byte>> read_bytes(const fs::path& path) {
+  return read<std::vector<std::byte>>(path, kBytesMax);
+}
 
 Status write_file(const fs::path& path, std::string_view content) {
   std::error_code error;

@@ -12,8 +12,11 @@
 /// Small files, whole.
 namespace tumble::golden {
 
-/// Errors (kBadInput): missing, a folder, no permission, larger than anything a suite holds.
+/// Errors (kBadInput): missing, a folder, no permission, larger than anything a suite holds. kCannotFinish: the disk
+/// gives fewer bytes than the file has.
 Result<std::string> read_text(const std::filesystem::path& path);
+/// As read_text(), of the table or archive that an engine wrote, which may be as large as `tumble import` takes.
+Result<std::string> read_table(const std::filesystem::path& path);
 Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path);
 
 /// Writes beside the file and renames, so that a crash leaves the old one. Folders are made. Errors (kCannotFinish).

@@ -76,6 +76,7 @@ Result<std::optional<Shape>> shape_of_file(std::string_view name, Shape::Kind ki
     if (!ok.ok())
       return bad_input("shape: " + path.string() + ':' + std::to_string(number) + ": " + ok.error().message);
   }
+  if (file.bad()) return cannot_finish("shape: " + path.string() + ": cannot be read to its end");
   if (kind == Shape::Kind::kHull) shape.triangles.clear();
   if (Status ok = check_shape(shape); !ok.ok()) return bad_input(path.string() + ": " + ok.error().message);
   return std::optional<Shape>(std::move(shape));

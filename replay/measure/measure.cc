@@ -80,7 +80,11 @@ const SeriesRow& Measurer::row() const {
 }
 
 void Measurer::start(const StepRecord& record) {
-  std::ranges::sort(scene_.boxes, {}, &sim::BoxDef::id);
+  // Of a body that was removed and came back the last box counts.
+  std::ranges::reverse(scene_.boxes);
+  std::ranges::stable_sort(scene_.boxes, {}, &sim::BoxDef::id);
+  const auto same_id = [](const sim::BoxDef& a, const sim::BoxDef& b) { return a.id == b.id; };
+  scene_.boxes.erase(std::unique(scene_.boxes.begin(), scene_.boxes.end(), same_id), scene_.boxes.end());
   meter_.emplace(scene_, record.states, options_, shapes_);
   if (!row_.removed) meter_->take_told_speeds();  // another engine's, whose motors and controls are no inputs
   start_energy_ = meter_->start_energy();

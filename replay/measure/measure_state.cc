@@ -113,7 +113,7 @@ void StateMeter::apply(const sim::Command& input) {
   if (const auto* gravity = std::get_if<sim::SetGravity>(&input)) gravity_ = gravity->gravity;
   if (const auto* thrown = std::get_if<sim::Throw>(&input)) {
     space_.add(thrown->box);
-    bodies_.insert(place_of(thrown->box.id), body_of(thrown->box));
+    place(place_of(thrown->box.id), thrown->box);
     row_ids_.clear();  // bodies_ moved
   }
   if (const auto* set = std::get_if<sim::SetVelocity>(&input)) give_speed(set->id, sim::length(set->velocity), false);
@@ -121,6 +121,18 @@ void StateMeter::apply(const sim::Command& input) {
   if (const auto* removed = std::get_if<sim::Remove>(&input)) {
     const auto body = place_of(removed->id);
     if (body != bodies_.end() && body->box.id == removed->id) body->removed = true;
+  }
+}
+
+// A table may lack a body for some steps: the one that comes back is the one that was there. Where an engine gives its
+// id to another one, that one is measured from here on.
+void StateMeter::place(std::vector<Body>::iterator at, const sim::BoxDef& box) {
+  if (at == bodies_.end() || at->box.id != box.id) {
+    bodies_.insert(at, body_of(box));
+  } else if (at->box.size == box.size && at->box.mass == box.mass && at->box.is_static == box.is_static) {
+    at->removed = false;
+  } else {
+    *at = body_of(box);
   }
 }
 
@@ -272,26 +284,6 @@ void StateMeter::compare_with_start(const Body& body, const BodyStates& now, std
   out.drift_max = largest(out.drift_max, std::sqrt(moved.x() * moved.x() + moved.y() * moved.y()));
   out.top_drop_max = largest(out.top_drop_max, -moved.z());
   out.tilt_max = largest(out.tilt_max, tilt_between(start_.orientation[body.start_row], now.orientation[row]));
-}
-
-void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
-  if (body.grid_row == kNone) return;
-  GridRow& span = grid_rows_[body.grid_row];
-  const double across = options_.lateral == LateralAxis::kX ? position.y() : position.x();
-  span.across_low = least(span.across_low, across);
-  span.across_high = largest(span.across_high, across);
-  span.z_low = least(span.z_low, position.z());
-  span.z_high = largest(span.z_high, position.z());
-}
-
-// In a tilted grid the bodies of one row start at one height and one place across; an exact solver keeps them so.
-std::optional<double> StateMeter::column_spread() const {
-  std::optional<double> widest;
-  for (const GridRow& row : grid_rows_) {
-    const double wide = largest(row.across_high - row.across_low, row.z_high - row.z_low);
-    if (wide != -kInfinity) widest = largest(widest.value_or(0), wide);  // −infinity: its bodies were all removed
-  }
-  return widest;
 }
 
 }  // namespace tumble::replay

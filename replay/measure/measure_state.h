@@ -157,6 +157,7 @@ class StateMeter {
   double deepest_of_shapes(const BodyStates& now);
   void pass(const BodyStates& now, double dt);
   [[nodiscard]] double reasonable_way(const Body& body) const;
+  void place(std::vector<Body>::iterator at, const sim::BoxDef& box);
   void give_speed(sim::BodyId id, double given, bool is_impulse);
   void number_grid_rows();
   void find_rows(const BodyStates& now);

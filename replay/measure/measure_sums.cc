@@ -1,4 +1,4 @@
-// What StateMeter says of all bodies together: overlaps, energies, the worst of any body.
+// What StateMeter says of all bodies together: overlaps, energies, the worst of any body, the rows of grids.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -124,6 +124,26 @@ StateMeter::StartEnergy StateMeter::start_energy() const {
     above_rest += body.box.mass * -start_gravity_.z() * largest(0.0, position.z() - rest);
   }
   return {kinetic, potential, kinetic + above_rest};
+}
+
+void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
+  if (body.grid_row == kNone) return;
+  GridRow& span = grid_rows_[body.grid_row];
+  const double across = options_.lateral == LateralAxis::kX ? position.y() : position.x();
+  span.across_low = least(span.across_low, across);
+  span.across_high = largest(span.across_high, across);
+  span.z_low = least(span.z_low, position.z());
+  span.z_high = largest(span.z_high, position.z());
+}
+
+// In a tilted grid the bodies of one row start at one height and one place across; an exact solver keeps them so.
+std::optional<double> StateMeter::column_spread() const {
+  std::optional<double> widest;
+  for (const GridRow& row : grid_rows_) {
+    const double wide = largest(row.across_high - row.across_low, row.z_high - row.z_low);
+    if (wide != -kInfinity) widest = largest(widest.value_or(0), wide);  // −infinity: its bodies were all removed
+  }
+  return widest;
 }
 
 }  // namespace tumble::replay

@@ -1,6 +1,7 @@
 // Logs of other engines as a user meets them: import, what works with them, and what replay says.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"
@@ -50,6 +51,20 @@ TEST(Import, BadTablesAndArgumentsAreStatusTwo) {
   EXPECT_EQ(shop.run({"info", "bad.tumble"}).exit, 2) << "no log must be there";
   EXPECT_EQ(shop.run({"import", "missing.csv"}).exit, 2);
   EXPECT_EQ(shop.run({"import", "bad.csv", "--like", "missing.tumble"}).exit, 2);
+}
+
+// Reading the first byte of that file fails, as reading any byte of a bad disk does: what was read is no whole file.
+TEST(Import, AReadThatFailsIsNoEndOfAFile) {
+  const char* const unreadable = "/proc/self/mem";
+  if (!std::filesystem::exists(unreadable)) GTEST_SKIP() << "no such file in this system";
+  const Workshop shop;
+  shop.write("table.csv", "# dt: 0.1\nstep,id\n");
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"import", unreadable, "-o", "x.tumble"},
+                                                {"import", "table.csv", "--map-file", unreadable, "-o", "x.tumble"}}) {
+    const Outcome run = shop.run(words);
+    EXPECT_EQ(run.exit, 4) << run.out;
+    EXPECT_NE(run.err.find("/proc/self/mem: cannot be read"), std::string::npos) << run.err;
+  }
 }
 
 TEST(Import, KnowsALogAndTheBeginningOfAStream) {

@@ -69,6 +69,7 @@ Result<std::string> read_table(const std::string& path) {
     if (text.size() > kTableBytesMax)
       return bad_input(path + ": found more than 4 GiB, wanted a smaller table; cut it");
   }
+  if (file.bad()) return cannot_finish(path + ": cannot be read: " + std::generic_category().message(errno));
   if (text.empty()) return bad_input(path + ": is empty; name a recorder's stream, a table or an archive of arrays");
   return text;
 }

@@ -41,6 +41,7 @@ Status read_map_file(TableMap& map, const std::string& path) {
     if (text.empty() || text.front() == '#') continue;
     if (Status ok = add_mapping(map, text, path + ':' + std::to_string(number)); !ok.ok()) return ok;
   }
+  if (file.bad()) return cannot_finish(path + ": cannot be read to its end");
   return {};
 }
 

@@ -263,5 +263,38 @@ TEST(MeasureKeeping, ABodyThatVanishesIsLostUnlessAnInputTookIt) {
   }
 }
 
+// The table of an engine may lack a body for a while.
+TEST(MeasureKeeping, ABodyThatComesBackIsTheOneThatWasThere) {
+  std::vector<BoxDef> both = {box(1, {0, 0, 1}), box(2, {5, 0, 1})};
+  StateMeter meter(scene_of(both), states_of(both));
+  const auto bounce_of_both = [&] {
+    for (const double rise : {-1, 1, -1, 1}) {
+      for (BoxDef& one : both) one.velocity.z() = rise;
+      static_cast<void>(meter.measure(states_of(both), 1, 0.1));
+    }
+  };
+  meter.apply(sim::Remove{2});
+  static_cast<void>(meter.measure(states_of({both[0]})));
+  meter.apply(sim::Throw{both[1]});
+  bounce_of_both();
+  EXPECT_GT(meter.keeping().bounces, 0U) << "of both: no third body that never bounces is counted";
+  static_cast<void>(meter.measure(states_of({both[0]})));
+  EXPECT_EQ(meter.lost(), 1U) << "no input took it this time";
+}
+
+TEST(MeasureKeeping, AnotherBodyOfAnIdIsMeasuredAsItself) {
+  const BoxDef start = box(1, {0, 0, 0.5});
+  BoxDef small = start;
+  small.size = {0.2, 0.2, 0.2};
+  small.position.z() = 0.1;
+  StateMeter meter(scene_of({start}), states_of({start}));
+  static_cast<void>(meter.measure(states_of({start})));
+  meter.apply(sim::Remove{1});
+  meter.apply(sim::Throw{small});
+  const StateMeasures measures = meter.measure(states_of({small}));
+  EXPECT_EQ(measures.ground_penetration_max, 0);
+  EXPECT_EQ(measures.of_start, 0U);
+}
+
 }  // namespace
 }  // namespace tumble::replay

@@ -106,6 +106,23 @@ TEST(Measurer, ABodyThrownBeforeTheStartBelongsToIt) {
   EXPECT_EQ(measurer.finish(record.states)->stacking.drift_max, 3);
 }
 
+// As bodies of a table that lacks them for a step.
+TEST(Measurer, ABodyThatCameBackBeforeTheStartIsOne) {
+  const std::vector<BoxDef> both = {box(1, {9, 0, 5}), box(2, {0, 0, 5})};
+  LogHeader header;
+  header.scene = scene_of(both);
+  Measurer measurer(header, {.from_step = 2});
+  measurer.add(step_record(0, both));
+  StepRecord gone = step_record(1, {both[1]}), back = step_record(2, both);
+  gone.inputs.emplace_back(sim::Remove{1});
+  back.inputs.emplace_back(sim::Throw{both[0]});
+  measurer.add(gone);
+  measurer.add(back);
+  const StepRecord last = step_record(3, both, 0, 100);
+  measurer.add(last);
+  EXPECT_EQ(measurer.finish(last.states)->energy.initial, 100);
+}
+
 TEST(MetricList, NamesAreUniqueAndGroupsStayTogether) {
   std::set<std::string> names, groups;
   std::string group;
