@@ -92,7 +92,7 @@ const std::vector<WrongInput>& wrong_inputs() {
        "push: found id 8, wanted the id of a body that exists at this step"},
       {"push of a static body", sim::Push{3, {1, 0, 0}, true, {0, 0, 0}}, "push: body 3 is static"},
       {"push that is no number", sim::Push{2, {kNone, 0, 0}, true, {0, 0, 0}},
-       "push: found an impulse that is not finite, wanted N·s"},
+       "push: found an impulse that is not finite or beyond ±1e+12, wanted one within"},
       {"push at a point beyond", sim::Push{2, {1, 0, 0}, false, {0, 32769, 0}},
        "push: found a point that is not finite or beyond ±32768, wanted one within"},
       {"push beyond all speeds", sim::Push{2, {9000, 0, 0}, true, {0, 0, 0}},

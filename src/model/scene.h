@@ -79,7 +79,7 @@ struct Push {
   BodyId id = 0;
   Vec3 impulse = {0, 0, 0};
   bool at_centre = true;
-  Vec3 at = {0, 0, 0};  ///< world point; read only when !at_centre
+  Vec3 at = {0, 0, 0};  ///< world point within kPositionMax, even where at_centre leaves it unused
   friend bool operator==(const Push&, const Push&) = default;
 };
 /// Removes a body and wakes the bodies that rested on the removed one.

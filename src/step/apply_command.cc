@@ -22,7 +22,7 @@ Error unknown_body(const char* input, BodyId id) {
 
 Status check_vector(const char* input, const char* what, const Vec3& v, double limit) {
   if (within(v, limit)) return {};
-  return bad_input(std::string(input) + ": found a " + what + " that is not finite or beyond ±" + number_text(limit) +
+  return bad_input(std::string(input) + ": found " + what + " that is not finite or beyond ±" + number_text(limit) +
                    ", wanted one within");
 }
 
@@ -43,8 +43,8 @@ class Applier {
   Status operator()(const Push& input) {
     const auto i = bodies_.find(input.id);
     if (!i) return unknown_body("push", input.id);
-    if (Status ok = check_vector("push", "point", input.at, kPositionMax); !ok.ok()) return ok;
-    if (!within(input.impulse, kMassMax)) return bad_input("push: found an impulse that is not finite, wanted N·s");
+    if (Status ok = check_vector("push", "a point", input.at, kPositionMax); !ok.ok()) return ok;
+    if (Status ok = check_vector("push", "an impulse", input.impulse, kMassMax); !ok.ok()) return ok;
     return push(*i, input);
   }
 
@@ -66,8 +66,8 @@ class Applier {
     const auto i = bodies_.find(input.id);
     if (!i) return unknown_body("set_velocity", input.id);
     if (bodies_.is_static[*i] != 0) return bad_input("set_velocity: body " + id_text(input.id) + " is static");
-    if (Status ok = check_vector("set_velocity", "velocity", input.velocity, kSpeedMax); !ok.ok()) return ok;
-    if (Status ok = check_vector("set_velocity", "spin", input.spin, kSpeedMax); !ok.ok()) return ok;
+    if (Status ok = check_vector("set_velocity", "a velocity", input.velocity, kSpeedMax); !ok.ok()) return ok;
+    if (Status ok = check_vector("set_velocity", "a spin", input.spin, kSpeedMax); !ok.ok()) return ok;
     wake_body(state_, *i);
     restart_rest(state_, *i);
     bodies_.velocity.set(*i, VelocityGrid::round(input.velocity));
@@ -76,7 +76,7 @@ class Applier {
   }
 
   Status operator()(const SetGravity& input) {
-    if (Status ok = check_vector("set_gravity", "gravity", input.gravity, kGravityMax); !ok.ok()) return ok;
+    if (Status ok = check_vector("set_gravity", "a gravity", input.gravity, kGravityMax); !ok.ok()) return ok;
     state_.def.gravity = input.gravity;
     for (BodyIndex i = 0; i < bodies_.size(); ++i) wake_body(state_, i);
     forget_impulses(state_.contact_memory);

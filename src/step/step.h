@@ -55,9 +55,9 @@ class Observer {
   virtual void phase_done(std::uint32_t substep, std::size_t phase, const World& world) = 0;
 };
 
-/// A world at the resolved start, state 0: positions and velocities rounded to their grids, frozen bodies given the
-/// bodies they touch as contact objects. Errors: limits.h exceeded, ids not ascending, a floating-point environment
-/// that does not round to nearest or flushes subnormals.
+/// A world at the resolved start, state 0, on its grids, frozen bodies given the bodies they touch as contact objects.
+/// scene.inputs are left to the caller, who applies each before its step, as replay::Session does. Errors: limits.h
+/// exceeded, ids not ascending, a floating-point environment that does not round to nearest or flushes subnormals.
 Result<World> create_world(const SceneDef& scene);
 
 /// Applies one input between two steps. Errors: an unknown or taken id, a value out of limits; the world is then

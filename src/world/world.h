@@ -13,10 +13,10 @@ namespace tumble::sim {
 
 struct Scratch;
 
-/// A running simulation: the state, and the memory that the phases of a step pass on to each other. src/step/step.h has
-/// the functions that make one (create_world), change one between steps (apply) and move one (step). A copy is
-/// independent of the original; a world that was moved from can only be assigned to or destroyed. After an error the
-/// world must not be used on.
+/// A running simulation: the state, and the memory that the phases of a step pass on to each other. tumble/sim/step.h
+/// has the functions that make one (create_world), change one between steps (apply) and move one (step). A copy is
+/// independent of the original; a world that was moved from can only be assigned to or destroyed. After an error of
+/// step() the world must not be used on; an input that apply() refuses changes nothing.
 class World {
  public:
   /// A world that continues from a snapshot. Errors: inconsistent columns, the floating-point environment.

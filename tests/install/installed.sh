@@ -76,7 +76,7 @@ consumer() { # name, flags: builds the consumers and runs them
   "$work/$1/consumer" "$scene" case.tumble >"$work/$1.out" &&
     "$work/$1/suite" "$prefix/share/tumble/golden" layered_inputs "$work/$1.report" >>"$work/$1.out"
 }
-same_hash() { # name: all hashes that a consumer printed are the golden's
+same_hash() { # name: all hashes that a consumer printed are the session's
   [[ $(sort -u "$work/$1.out") == "$expected" ]] || fail "$1: found hashes $(tr '\n' ' ' <"$work/$1.out"), wanted $expected"
 }
 native=-march=native
@@ -101,6 +101,20 @@ if command -v pkg-config >/dev/null; then
   pkg/main "$scene" case.tumble >pkg.out
   pkg/suite "$prefix/share/tumble/golden" layered_inputs pkg.report >>pkg.out
   same_hash pkg
+  # The C++ of README as it stands there: a scene with inputs ends as its session does.
+  snippet() { awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$source/../../README.md"; }
+  {
+    printf '#include <cstdio>\n#include <fstream>\n#include <iterator>\n'
+    snippet | grep '^#include'
+    printf 'int main(int, char** argv) {\nstd::ifstream file(argv[1]);\n'
+    printf 'const std::string text{std::istreambuf_iterator<char>(file), {}};\n'
+    snippet | grep -v '^#include'
+    printf 'std::puts(to_string(tumble::sim::state_hash(world->bodies())).c_str());\n}\n'
+  } >pkg/readme.cc
+  read -ra flags <<<"$(pkg-config --cflags --libs tumble-sim)"
+  "$cxx" -std=c++20 -O1 pkg/readme.cc "${flags[@]}" -o pkg/readme
+  pkg/readme "$scene" >readme.out
+  same_hash readme
   read -ra flags <<<"$(pkg-config --cflags --libs tumble-recorder)"
   "$cc" -std=c99 "$source/engine/main.c" "${flags[@]}" -o pkg/engine
   pkg/engine again.tumblestream
