@@ -5,6 +5,7 @@
 
 #include "src/kernels/body_kernels_impl.h"
 #include "src/kernels/box_tests_impl.h"
+#include "src/kernels/contacts/contact_outcomes_impl.h"
 #include "src/kernels/contacts/contact_prepare_impl.h"
 #include "src/kernels/contacts/contact_renew_impl.h"
 #include "src/kernels/contacts/contact_solve_impl.h"

@@ -51,6 +51,21 @@ TEST(AfterAHit, ABoxThatMeetsNothingFallsOnAlone) {
   EXPECT_NEAR(after.z(), before.z() + scene.world.gravity.z() * scene.world.dt, 1e-9);
 }
 
+// Bodies that float stay together after a hit without restitution: no substep begins with what stopped the hit before.
+TEST(AfterAHit, ARowMovesAsOne) {
+  for (const std::uint32_t substeps : {2U, 4U, 8U, 16U}) {
+    SceneDef scene = layered(1.0 / 60, substeps, kIce);
+    scene.world.gravity = Vec3::Zero();
+    for (int k = 0; k < 5; ++k) add(scene, {1, 1, 1}, {static_cast<double>(k), 0, 10}, Vec3::Zero(), kIce);
+    add(scene, {1, 1, 1}, {-2, 0, 10}, {10, 0, 0}, kIce);
+    World world = made(scene);
+    for (int k = 0; k < 20; ++k) advance(world);
+    for (BodyIndex i = 0; i < 6; ++i) {
+      EXPECT_NEAR(world.bodies().velocity.x[i], 10.0 / 6, 0.1) << substeps << " substeps, body " << i;
+    }
+  }
+}
+
 TEST(AfterAHit, NoBoxIsThrownUp) {
   for (const std::uint32_t substeps : {1U, 2U, 8U}) {
     SceneDef scene = layered(0.03, substeps, kIce);

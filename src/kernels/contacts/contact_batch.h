@@ -18,6 +18,10 @@ inline constexpr double kRestingSpeed = 0.1;
 /// Slower impacts do not bounce, m/s. A contact of a fast pair rests on nothing yet, so it may bounce at less.
 inline constexpr double kBounceMin = 0.5, kFastBounceMin = 1.5 * kRestingSpeed;
 
+/// An impulse of a step counts as borne up to so many times what the step began with, or the load, and up to so many
+/// weights of the lighter body for a substep. Beyond that it has stopped a hit.
+inline constexpr double kBornePart = 2, kBorneWeights = 4;
+
 /// m of overlap that is not removed; of a box thinner than 5 cm, this part of its smallest half extent.
 inline constexpr double kSlop = 0.0005, kSlopOfHalfExtent = 0.02;
 
@@ -71,8 +75,9 @@ struct ContactBatch {
   Lanes friction, friction_dynamic, restitution;
   Lanes slop;  ///< m of overlap that is not removed
   Lanes force1, force2, twist;
-  Lanes sliding;   ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
-  Lanes absorbed;  ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
+  Lanes sliding;    ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
+  Lanes absorbed;   ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
+  Lanes passes_on;  ///< N·s: the most normal impulse that a substep begins with; beyond it a hit was stopped
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
   Lanes impulse_magic;     ///< magic number (math/grid.h) of a grid that fits the lighter body

@@ -253,8 +253,9 @@ Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure,
 }
 
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
-template <class V, template <class> class B>
-Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, const Pressure<V>& pressure) {
+// Lanes outside `rubs` keep theirs.
+template <class V, template <class> class B, class Mask>
+Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, const Pressure<V>& pressure, Mask rubs) {
   ContactBatch& batch = *m.batch;
   const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
   const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
@@ -264,8 +265,9 @@ Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, cons
   for (int k = 0; k < 6; ++k) inverse.of[k] = m.get(batch.friction_inverse[k]);
   const Friction<V> missing = inverse.times({u1, u2, wn});
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
-  const Friction<V> now = within_limits(
-      m, pressure, {before1 - missing.force1, before2 - missing.force2, twist_before - missing.twist}, inverse);
+  const Friction<V> wanted = {before1 - missing.force1, before2 - missing.force2, twist_before - missing.twist};
+  Friction<V> now = within_limits(m, pressure, wanted, inverse);
+  now = {rubs ? now.force1 : before1, rubs ? now.force2 : before2, rubs ? now.twist : twist_before};
   const V d1 = now.force1 - before1, d2 = now.force2 - before2;
   m.set(batch.force1, now.force1);
   m.set(batch.force2, now.force2);

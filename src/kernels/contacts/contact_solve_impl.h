@@ -87,7 +87,10 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
   const V magic = m.get(m.batch->impulse_magic), impulse_max = m.get(m.batch->impulse_max), zero = V{};
   V r[6];
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
-  V unwanted[kPointsMax], changes[kPointsMax];
+  V unwanted[kPointsMax], changes[kPointsMax], before[kSweep == Sweep::kRestitution ? kPointsMax : 1];
+  if constexpr (kSweep == Sweep::kRestitution) {
+    for (unsigned k = 0; k < m.batch->count; ++k) before[k] = m.get(m.points[k].impulse);
+  }
   if (kSweep == Sweep::kPart && !m.batch->hard) {
     for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = m.get(m.points[k].load);  // begin_parting
   } else {
@@ -127,30 +130,66 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
   if constexpr (kSweep == Sweep::kRestitution) {
     const V part = part_of_bounce(m, initial, gained), e = m.get(m.batch->restitution);
     const V given = part * (initial + part * gained);
-    m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (given == 0.0 ? zero : given / (e * e)));
+    m.set(m.batch->absorbed, m.get(m.batch->absorbed) - ((given == 0.0) | (e == 0.0) ? zero : given / (e * e)));
+    for (unsigned k = 0; k < m.batch->count; ++k) {
+      m.set(m.points[k].impulse, before[k] + part * (m.get(m.points[k].impulse) - before[k]));
+    }
     return normal_wrench(m, part * total_s, part * total_sq, part * total_sp);
   }
   m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (initial + gained));
   return normal_wrench(m, total_s, total_sq, total_sp);
 }
 
+// The motion of b relative to a after an impulse, with the split masses.
+template <class V, template <class> class B>
+Motion<V> after(const Manifolds<V, B>& m, const Motion<V>& motion, const Wrench<V>& wrench) {
+  const V split_a = m.get(m.batch->split_a), split_b = m.get(m.batch->split_b);
+  const Space<V> va = velocity_of(m.a, wrench.force) * -split_a, vb = velocity_of(m.b, wrench.force) * split_b;
+  const Space<V> wa = spin_of(m.a, reaction_torque(m, wrench)) * -split_a;
+  const Space<V> wb = spin_of(m.b, wrench.torque) * split_b;
+  return {motion.u + ((vb - va) - cross(wa, m.d)), motion.w + (wb - wa)};
+}
+
+template <class V>
+Wrench<V> operator+(const Wrench<V>& a, const Wrench<V>& b) {
+  return {a.force + b.force, a.torque + b.torque};
+}
+
+// The lanes of which a point met fast enough to bounce.
+template <class V, template <class> class B>
+auto met_fast(const Manifolds<V, B>& m) {
+  const V least = V{} - m.batch->bounce_min;
+  V fastest = V{};
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    const PointBatch& point = m.points[k];
+    fastest = smaller(fastest, m.get(point.peak) == 0.0 ? V{} : m.get(point.approach));
+  }
+  return fastest <= least;
+}
+
+// A bounce: its push presses the faces together once more, so friction takes its part of that too. Lanes that do not
+// bounce do the same work, for what a lane does must not depend on the others.
+template <class V, template <class> class B>
+Wrench<V> bounce(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
+  const Wrench<V> push = solve_normals<Sweep::kRestitution>(work, m, motion, pressure);
+  const Motion<V> pushed = after(m, motion, push);
+  const Pressure<V> now = pressure_of(m);
+  const Wrench<V> friction = solve_friction(m, pushed, now, met_fast(m));
+  return (push + friction) + solve_normals<Sweep::kRestitution>(work, m, after(m, pushed, friction), now.sum);
+}
+
 template <Sweep kSweep, class V, template <class> class B = Body>
 void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V, B> m(work, batch, at);
-  Motion<V> motion = relative_motion(m);
+  const Motion<V> motion = relative_motion(m);
   const Pressure<V> pressure = pressure_of(m);
-  if constexpr (kSweep == Sweep::kRestitution || kSweep == Sweep::kPart) {
+  if constexpr (kSweep == Sweep::kPart) {
     write_outcomes(work, m, solve_normals<kSweep>(work, m, motion, pressure.sum));
+  } else if constexpr (kSweep == Sweep::kRestitution) {
+    write_outcomes(work, m, bounce(work, m, motion, pressure.sum));
   } else {
-    const Wrench<V> friction = solve_friction(m, motion, pressure);
-    const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
-    const Space<V> va = velocity_of(m.a, friction.force) * -split_a, vb = velocity_of(m.b, friction.force) * split_b;
-    const Space<V> wa = spin_of(m.a, reaction_torque(m, friction)) * -split_a;
-    const Space<V> wb = spin_of(m.b, friction.torque) * split_b;
-    motion.u = motion.u + ((vb - va) - cross(wa, m.d));
-    motion.w = motion.w + (wb - wa);
-    const Wrench<V> normal = solve_normals<kSweep>(work, m, motion, pressure.sum);
-    write_outcomes(work, m, {friction.force + normal.force, friction.torque + normal.torque});
+    const Wrench<V> friction = solve_friction(m, motion, pressure, V{} == V{});
+    write_outcomes(work, m, friction + solve_normals<kSweep>(work, m, after(m, motion, friction), pressure.sum));
   }
 }
 
@@ -186,19 +225,38 @@ void begin_parting(const ContactWork& work, const ContactBatch& batch) {
 }
 
 template <class V, template <class> class B>
-void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  const Manifolds<V, B> m(work, batch, at);
-  const V magic = m.get(batch.impulse_magic);
+PointSums<V> sums_of_impulses(const Manifolds<V, B>& m) {
+  const V magic = m.get(m.batch->impulse_magic);
   PointSums<V> sums = {};
-  for (unsigned k = 0; k < batch.count; ++k) {
+  for (unsigned k = 0; k < m.batch->count; ++k) {
     const PointBatch& point = m.points[k];
     const V impulse = m.get(point.impulse);
     sums.s += to_grid(magic, impulse);
     sums.sq += to_grid(magic, impulse * m.get(point.q));
     sums.sp += to_grid(magic, impulse * m.get(point.p));
   }
-  if (any_above(sums.s, m.get(batch.impulse_max))) [[unlikely]]
-    sums = add_up_impulses(m);
+  if (any_above(sums.s, m.get(m.batch->impulse_max))) [[unlikely]]
+    return add_up_impulses(m);
+  return sums;
+}
+
+// An impulse that stopped a hit has done its work: the next substep would throw the bodies apart with it. all: the sum.
+template <class V, template <class> class B>
+void pass_on_less(const Manifolds<V, B>& m, V all) {
+  const V most = m.get(m.batch->passes_on), part = all > most ? most / all : V{} + 1.0;
+  for (unsigned k = 0; k < m.batch->count; ++k) m.set(m.points[k].impulse, part * m.get(m.points[k].impulse));
+  Lanes* const frictions[] = {&m.batch->force1, &m.batch->force2, &m.batch->twist};
+  for (Lanes* const friction : frictions) m.set(*friction, part * m.get(*friction));
+}
+
+template <class V, template <class> class B>
+void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  const Manifolds<V, B> m(work, batch, at);
+  PointSums<V> sums = sums_of_impulses(m);
+  if (any_above(sums.s, m.get(batch.passes_on))) {
+    pass_on_less(m, sums.s);
+    sums = sums_of_impulses(m);
+  }
   m.set(batch.sliding, V{});
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
   const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
@@ -210,76 +268,6 @@ void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) 
 template <class V>
 void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   return batch.even ? warm_start_from<V, EvenBody>(work, batch, at) : warm_start_from<V, Body>(work, batch, at);
-}
-
-// Whether this visit has solved the manifold whose outcome is row `row`.
-inline bool solved_now(const ContactWork& work, std::uint32_t row) {
-  return work.sides[row / (2 * kLanes)].visited[row / 2 % kLanes] == work.visit.now;
-}
-
-// The sum of the outcomes of a body from double `at` of the rows on, of any size: where their magnitudes leave the grid
-// of motions, the largest chooses a wider one.
-template <class V>
-[[gnu::noinline, gnu::cold]] V add_up_outcomes(const ContactWork& work, const BodyOutcomes& of, std::size_t at,
-                                               Due due) {
-  const auto outcome = [&](std::uint32_t e) {
-    if (due == Due::kSome && !solved_now(work, work.entries[e])) return V{};
-    return load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + at);
-  };
-  const V usual = V{} + kMotionMagic;
-  V largest = V{}, magnitudes = V{}, sum = V{};
-  for (std::uint32_t e = of.begin; e < of.end; ++e) {
-    largest = larger(absolute(outcome(e)), largest);
-    magnitudes += absolute(to_grid(usual, outcome(e)));
-  }
-  const double terms = of.end - of.begin < 4 ? 4.0 : static_cast<double>(of.end - of.begin);
-  const V wider = fitting_magic(usual, largest * terms), magic = magnitudes < kMotionSumMax ? usual : wider;
-  for (std::uint32_t e = of.begin; e < of.end; ++e) sum += to_grid(magic, outcome(e));
-  return sum;
-}
-
-// Adds to every body of a layer its outcomes, rounded to the grid of motions: sums on a grid are exact in any order,
-// here as long as the magnitudes of the outcomes add up to less than kMotionSumMax.
-template <class V, Due kDue>
-bool apply_due_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
-  constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double), kParts = kOutcomeDoubles / kAtOnce;
-  const V magic = V{} + kMotionMagic, limit = V{} + kMotionSumMax, still = V{} + work.visit.still;
-  bool any_moves = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
-    V sum[kParts] = {}, magnitudes = V{};  // the latter of all parts together, which is no less than that of any
-    bool any = kDue == Due::kAll;
-    for (std::uint32_t e = of[k].begin; e < of[k].end; ++e) {
-      if (kDue == Due::kSome && !solved_now(work, work.entries[e])) continue;
-      any = true;
-      const double* const row = work.outcomes + work.entries[e] * kOutcomeDoubles;
-      for (std::size_t part = 0; part < kParts; ++part) {
-        const V outcome = to_grid(magic, load<V>(row + part * kAtOnce));
-        sum[part] += outcome;
-        magnitudes += absolute(outcome);
-      }
-    }
-    if (!any) continue;
-    if (!all_below(magnitudes, limit)) [[unlikely]] {
-      for (std::size_t part = 0; part < kParts; ++part)
-        sum[part] = add_up_outcomes<V>(work, of[k], part * kAtOnce, kDue);
-    }
-    bool moves = false;
-    for (std::size_t part = 0; part < kParts; ++part) {
-      double* const motion = body + part * kAtOnce;
-      store(motion, load<V>(motion) + sum[part]);
-      moves |= any_above(absolute(sum[part]), still);
-    }
-    if (moves) work.visit.moved[of[k].body] = work.visit.now;
-    any_moves |= moves;
-  }
-  return any_moves;
-}
-
-template <class V>
-bool apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due) {
-  return due == Due::kSome ? apply_due_outcomes<V, Due::kSome>(work, of, count)
-                           : apply_due_outcomes<V, Due::kAll>(work, of, count);
 }
 
 template <class V>

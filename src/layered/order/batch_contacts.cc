@@ -105,11 +105,12 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
 // Copies manifolds into the lanes of their batches; unused lanes and points are zero.
 class Filling {
  public:
-  Filling(const WorldState& state, const IslandScratch& islands, const LayerList& layers,
-          std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, ContactBatches& all)
+  Filling(const WorldState& state, const Scratch& scratch, const LayerList& layers, std::span<const Manifold> manifolds,
+          std::span<const ManifoldPoint> points, ContactBatches& all)
       : bodies_(state.bodies),
         gravity_(state.def.gravity),
-        islands_(islands),
+        fall_(length(gravity_) * state.def.dt / state.def.substeps),
+        islands_(scratch.islands),
         layers_(layers),
         manifolds_(manifolds),
         points_(points),
@@ -185,7 +186,13 @@ class Filling {
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
     const bool a_falls = moves(bodies_, m.a), b_falls = moves(bodies_, m.b);
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
+    batch.passes_on.of[lane] = is_loose(m) ? kBorneWeights * (fall_ * lighter) : std::numeric_limits<double>::max();
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
+  }
+  // Whether bodies meet that touch nothing at rest, so that a substep may begin with what they bear and no more.
+  // Columns that land take several substeps, and would sink into themselves if each began anew.
+  [[nodiscard]] bool is_loose(const Manifold& m) const {
+    return layers_.of_fast_pairs || m.layer + 1 == layers_.hard_from || m.layer + 1 == layers_.count();
   }
   double mass_of(BodyIndex i) const { return moves(bodies_, i) ? bodies_.mass[i] : std::numeric_limits<double>::max(); }
   double thickness_of(BodyIndex i) const {
@@ -194,6 +201,7 @@ class Filling {
 
   const Bodies& bodies_;
   const Vec3& gravity_;
+  double fall_;  // m/s, what gravity gives in a substep
   const IslandScratch& islands_;
   const LayerList& layers_;
   std::span<const Manifold> manifolds_;
@@ -219,7 +227,7 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
     if (worker.first()) grouping.place_points();
     worker.meet();
     const Worker::Share batches = worker.share(all.batches.size());
-    Filling filling(state, scratch.islands, layers, manifolds, points, all);
+    Filling filling(state, scratch, layers, manifolds, points, all);
     const auto after = std::upper_bound(all.layer_start.begin(), all.layer_start.end(), batches.begin);
     auto layer = static_cast<std::uint32_t>(after - all.layer_start.begin()) - 1;
     for (auto k = static_cast<std::uint32_t>(batches.begin); k < batches.end; ++k) {

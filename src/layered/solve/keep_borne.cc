@@ -11,8 +11,6 @@ namespace {
 // before the sweeps take it back. A point that met was hit, so of its impulse only the load counts. A contact that
 // passes a hit on has not met anything: there an impulse counts as borne up to twice what the step began with or what
 // the contact bears, and a new contact may bear some weights of the lighter body.
-constexpr double kGrowthMost = 2, kNewWeights = 4;
-
 // Of an impulse beyond that, so much stays: the braking of a heap or of a heavy body goes on for several steps, and
 // bodies would sink into one another if each step began it anew.
 constexpr double kKept = 0.5;
@@ -49,7 +47,7 @@ bool grew(const ContactLane& contact, double before, std::span<const ManifoldPoi
   for (std::size_t k = 0; k < points.size(); ++k) {
     if ((solved++)->approach.of[contact.lane] < -kRestingSpeed) return true;
   }
-  return !(impulse_of(contact, points) <= kGrowthMost * before);
+  return !(impulse_of(contact, points) <= kBornePart * before);
 }
 
 void keep_borne(const ContactLane& contact, double before, double weight, Manifold& m,
@@ -63,7 +61,7 @@ void keep_borne(const ContactLane& contact, double before, double weight, Manifo
   }
   double kept = impulse_of(contact, points);
   const double load = exact_sum(contact, points, [](const ManifoldPoint& point) { return point.load; });
-  const double borne = std::max({kGrowthMost * before, kGrowthMost * load, kNewWeights * weight, kKept * kept});
+  const double borne = std::max({kBornePart * before, kBornePart * load, kBorneWeights * weight, kKept * kept});
   if (kept > borne) {
     scale(points, borne / kept);
     kept = borne;

@@ -12,7 +12,7 @@ namespace {
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(offsetof(SolverBody, spin) == 3 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
-static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 29 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 30 * sizeof(Lanes));
 
 // Bytes [kBegin, kEnd) of a row.
 template <std::size_t kBegin, std::size_t kEnd, class Row>
