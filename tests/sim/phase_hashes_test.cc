@@ -165,7 +165,7 @@ void try_all(Method method, const std::vector<Field>& fields) {
   SceneDef scene = test::tumble_of_boxes(3, 5);
   scene.world.method = method;
   World world = test::made(scene);
-  for (int k = 0; k < 60; ++k) advance(world);
+  for (int k = 0; k < 50; ++k) advance(world);
   Changer changer(fields);
   advance(world, &changer);
   changer.expect_all_tried();
