@@ -24,7 +24,7 @@ const std::vector<WrongValue<sim::WorldState>>& wrong_snapshots() {
       {"the greatest id", [](auto& s) { s.bodies.id[2] = (1ULL << 53U) - 1; }, "taken"},
       {"ids that do not ascend", [](auto& s) { s.bodies.id[1] = 1; },
        "snapshot: ids do not ascend within 1 … 2^53 − 1"},
-      {"no substeps", [](auto& s) { s.def.substeps = 0; }, "world: substeps must be 1 … 1024"},
+      {"no substeps", [](auto& s) { s.def.substeps = 0; }, "world: found 0 substeps, wanted 1 … 1024"},
       {"a position beyond", [](auto& s) { s.bodies.position.x[0] = -32769; },
        "snapshot: body 1: found position (-32769, 0, 0.5) m, wanted finite and within ±32768 m; it left the world: "
        "start nearer to the origin, stop it, or remove it before"},

@@ -38,33 +38,38 @@ const std::vector<WrongValue<sim::SceneDef>>& wrong_scenes() {
        "body 1: found a mass of 1.1e+12 kg, wanted 1e-09 … 1e+12 kg"},
       {"the least mass", [](auto& s) { s.boxes[0].mass = 1e-9; }, "taken"},
       {"a position beyond", [](auto& s) { s.boxes[0].position.x() = 32769; },
-       "body 1: its position is not finite or beyond ±32768 m"},
+       "body 1: found a position of (32769, 0, 0.5), wanted one that is finite and within ±32768 m"},
       {"a position that is no number", [](auto& s) { s.boxes[0].position.z() = kNone; },
-       "body 1: its position is not finite or beyond ±32768 m"},
+       "body 1: found a position of (0, 0, nan), wanted one that is finite and within ±32768 m"},
       {"a velocity beyond", [](auto& s) { s.boxes[1].velocity.y() = -8193; },
-       "body 2: its velocity is not finite or beyond ±8192 m/s"},
+       "body 2: found a velocity of (0, -8193, 0), wanted one that is finite and within ±8192 m/s"},
       {"a spin beyond", [](auto& s) { s.boxes[1].spin.z() = 8193; },
-       "body 2: its spin is not finite or beyond ±8192 rad/s"},
+       "body 2: found a spin of (0, 0, 8193), wanted one that is finite and within ±8192 rad/s"},
       {"no orientation",
        [](auto& s) {
          s.boxes[1].orientation = {0, 0, 0, 0};
        },
        "body 2: its orientation has no direction; use [1, 0, 0, 0]"},
       {"friction below 0", [](auto& s) { s.boxes[1].material.friction = -0.1; },
-       "body 2: found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1"},
+       "body 2: found a friction of -0.1, dynamic 0.4, and a restitution of 0.2, wanted friction 0 … 1000 and "
+       "restitution 0 … 1"},
       {"friction above 1000", [](auto& s) { s.boxes[1].material.friction_dynamic = 1001; },
-       "body 2: found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1"},
+       "body 2: found a friction of 0.4, dynamic 1001, and a restitution of 0.2, wanted friction 0 … 1000 and "
+       "restitution 0 … 1"},
       {"restitution above 1", [](auto& s) { s.boxes[1].material.restitution = 1.1; },
-       "body 2: found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1"},
+       "body 2: found a friction of 0.4, dynamic 0.4, and a restitution of 1.1, wanted friction 0 … 1000 and "
+       "restitution 0 … 1"},
       {"no dt", [](auto& s) { s.world.dt = 0; }, "world: found a dt of 0 s, wanted 1e-07 … 1 s"},
-      {"no substeps", [](auto& s) { s.world.substeps = 0; }, "world: substeps must be 1 … 1024"},
-      {"too many substeps", [](auto& s) { s.world.substeps = 1025; }, "world: substeps must be 1 … 1024"},
+      {"no substeps", [](auto& s) { s.world.substeps = 0; }, "world: found 0 substeps, wanted 1 … 1024"},
+      {"too many substeps", [](auto& s) { s.world.substeps = 1025; }, "world: found 1025 substeps, wanted 1 … 1024"},
       {"gravity beyond", [](auto& s) { s.world.gravity.x() = 10001; },
-       "world: gravity must be finite and within ±10000 m/s²"},
-      {"a time below 0", [](auto& s) { s.world.freeze_time = -1; },
-       "world: freezing, slip and drag must be finite and not negative"},
+       "world: found a gravity of 10001 m/s² along an axis, wanted -10000 … 10000"},
+      {"a time below 0", [](auto& s) { s.world.freeze_time = -1; }, "world: found a freeze_time of -1, wanted 0 … 1e9"},
+      {"a method that is none", [](auto& s) { s.world.method = static_cast<sim::Method>(7); },
+       "world: found method number 7, wanted thesis or layered"},
       {"a ground of no friction", [](auto& s) { s.world.ground_material.friction = kNone; },
-       "world: material out of range"},
+       "world: ground: found a friction of nan, dynamic 0.4, and a restitution of 0.2, wanted friction 0 … 1000 and "
+       "restitution 0 … 1"},
   };
   return kWrongScenes;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 
 #include "replay/format/step_values.h"
 
@@ -82,6 +83,10 @@ TumbleLogStatus tumble_log_add_channel(TumbleLog* log, const char* name, TumbleL
   return guarded(log, [&]() -> Status {
     if (log->log) return tumble::bad_input("found a channel after tumble_log_begin(), wanted it before");
     if (name == nullptr) return missing("the name of a channel");
+    if (kind < TUMBLE_FLOAT64 || kind > TUMBLE_TEXT || scope < TUMBLE_WORLD || scope > TUMBLE_PAIR) {
+      return tumble::bad_input("channel \"" + std::string(name) + "\": found kind " + std::to_string(kind) +
+                               " and scope " + std::to_string(scope) + ", wanted a TumbleLogKind and a TumbleLogScope");
+    }
     log->channels.push_back(
         {name,
          {static_cast<tumble::replay::ChannelKind>(kind), static_cast<tumble::replay::ChannelScope>(scope)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "src/base/text.h"
 #include "src/kernels/kernels_by_width.h"
@@ -53,15 +54,33 @@ Status check_def(const WorldDef& def) {
   if (!in(def.dt, kDtMin, kDtMax)) {
     return bad_input("world: found a dt of " + exact(def.dt) + " s, wanted " + exact(kDtMin) + " … 1 s");
   }
-  if (def.substeps == 0 || def.substeps > kSubstepsMax) return bad_input("world: substeps must be 1 … 1024");
+  if (method_version(def.method) == 0) {
+    return bad_input("world: found method number " + std::to_string(static_cast<int>(def.method)) +
+                     ", wanted thesis or layered");
+  }
+  if (def.substeps == 0 || def.substeps > kSubstepsMax) {
+    return bad_input("world: found " + std::to_string(def.substeps) + " substeps, wanted 1 … 1024");
+  }
   for (const double g : {def.gravity.x(), def.gravity.y(), def.gravity.z()}) {
-    if (!in(g, -kGravityMax, kGravityMax)) return bad_input("world: gravity must be finite and within ±10000 m/s²");
+    if (in(g, -kGravityMax, kGravityMax)) continue;
+    return bad_input("world: found a gravity of " + exact(g) + " m/s² along an axis, wanted -10000 … 10000");
   }
-  for (const double value : {def.freeze_energy, def.freeze_time, def.slip_speed, def.air_drag}) {
-    if (!in(value, 0, 1e9)) return bad_input("world: freezing, slip and drag must be finite and not negative");
+  const std::pair<const char*, double> settings[] = {{"freeze_energy", def.freeze_energy},
+                                                     {"freeze_time", def.freeze_time},
+                                                     {"slip_speed", def.slip_speed},
+                                                     {"air_drag", def.air_drag}};
+  for (const auto& [name, value] : settings) {
+    if (!in(value, 0, 1e9)) {
+      return bad_input(std::string("world: found a ") + name + " of " + exact(value) + ", wanted 0 … 1e9");
+    }
   }
-  if (!material_in_range(def.ground_material)) return bad_input("world: material out of range");
+  if (!material_in_range(def.ground_material)) return bad_input("world: ground: " + out_of_range(def.ground_material));
   return {};
+}
+
+std::string out_of_range(const Material& m) {
+  return "found a friction of " + exact(m.friction) + ", dynamic " + exact(m.friction_dynamic) +
+         ", and a restitution of " + exact(m.restitution) + ", wanted friction 0 … 1000 and restitution 0 … 1";
 }
 
 bool material_in_range(const Material& m) {

@@ -50,6 +50,8 @@ Status check_def(const WorldDef& def);
 
 /// Whether friction is 0 … kFrictionMax and restitution 0 … 1.
 bool material_in_range(const Material& material);
+/// What an error says of one that is not.
+std::string out_of_range(const Material& material);
 
 /// Errors: the gain of body i from one contact is not finite or beyond limits.h; asked before the gain enters a sum.
 inline Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin) {

@@ -91,15 +91,17 @@ Status check_box(const BoxDef& box) {
   if (!(box.mass >= kMassMin && box.mass <= kMassMax)) {
     return bad_box(box, "found a mass of " + exact(box.mass) + " kg, wanted " + range(kMassMin, kMassMax, "kg"));
   }
-  if (!within(box.position, kPositionMax)) return bad_box(box, "its position is not finite or beyond ±32768 m");
-  if (!within(box.velocity, kSpeedMax)) return bad_box(box, "its velocity is not finite or beyond ±8192 m/s");
-  if (!within(box.spin, kSpeedMax)) return bad_box(box, "its spin is not finite or beyond ±8192 rad/s");
+  const auto beyond_range = [&](const std::string& what, const Vec3& v, const std::string& range) {
+    return bad_box(box, "found a " + what + " of (" + exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()) +
+                            "), wanted one that is finite and within ±" + range);
+  };
+  if (!within(box.position, kPositionMax)) return beyond_range("position", box.position, "32768 m");
+  if (!within(box.velocity, kSpeedMax)) return beyond_range("velocity", box.velocity, "8192 m/s");
+  if (!within(box.spin, kSpeedMax)) return beyond_range("spin", box.spin, "8192 rad/s");
   const Quat& q = box.orientation;
   const double norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
   if (!(norm > 1e-12 && norm < 1e12)) return bad_box(box, "its orientation has no direction; use [1, 0, 0, 0]");
-  if (!material_in_range(box.material)) {
-    return bad_box(box, "found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1");
-  }
+  if (!material_in_range(box.material)) return bad_box(box, out_of_range(box.material));
   return {};
 }
 

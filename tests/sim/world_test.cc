@@ -106,6 +106,7 @@ TEST(WorldCreate, RefusesParametersBeyondTheLimits) {
       [](WorldDef& d) { d.dt = 2; },
       [](WorldDef& d) { d.dt = kNan; },
       [](WorldDef& d) { d.substeps = 0; },
+      [](WorldDef& d) { d.method = static_cast<sim::Method>(7); },
       [](WorldDef& d) { d.substeps = 2000; },
       [](WorldDef& d) { d.gravity.x() = kNan; },
       [](WorldDef& d) { d.gravity.z() = -1e5; },
