@@ -51,13 +51,13 @@ const std::vector<WrongValue<sim::SceneDef>>& wrong_scenes() {
        },
        "body 2: its orientation has no direction; use [1, 0, 0, 0]"},
       {"friction below 0", [](auto& s) { s.boxes[1].material.friction = -0.1; },
-       "body 2: found a friction of -0.1, dynamic 0.4, and a restitution of 0.2, wanted friction 0 … 1000 and "
+       "body 2: found a material of friction -0.1, dynamic 0.4, and restitution 0.2, wanted friction 0 … 1000 and "
        "restitution 0 … 1"},
       {"friction above 1000", [](auto& s) { s.boxes[1].material.friction_dynamic = 1001; },
-       "body 2: found a friction of 0.4, dynamic 1001, and a restitution of 0.2, wanted friction 0 … 1000 and "
+       "body 2: found a material of friction 0.4, dynamic 1001, and restitution 0.2, wanted friction 0 … 1000 and "
        "restitution 0 … 1"},
       {"restitution above 1", [](auto& s) { s.boxes[1].material.restitution = 1.1; },
-       "body 2: found a friction of 0.4, dynamic 0.4, and a restitution of 1.1, wanted friction 0 … 1000 and "
+       "body 2: found a material of friction 0.4, dynamic 0.4, and restitution 1.1, wanted friction 0 … 1000 and "
        "restitution 0 … 1"},
       {"no dt", [](auto& s) { s.world.dt = 0; }, "world: found a dt of 0 s, wanted 1e-07 … 1 s"},
       {"no substeps", [](auto& s) { s.world.substeps = 0; }, "world: found 0 substeps, wanted 1 … 1024"},
@@ -68,7 +68,8 @@ const std::vector<WrongValue<sim::SceneDef>>& wrong_scenes() {
       {"a method that is none", [](auto& s) { s.world.method = static_cast<sim::Method>(7); },
        "world: found method number 7, wanted thesis or layered"},
       {"a ground of no friction", [](auto& s) { s.world.ground_material.friction = kNone; },
-       "world: ground: found a friction of nan, dynamic 0.4, and a restitution of 0.2, wanted friction 0 … 1000 and "
+       "world: ground: found a material of friction nan, dynamic 0.4, and restitution 0.2, wanted friction 0 … 1000 "
+       "and "
        "restitution 0 … 1"},
   };
   return kWrongScenes;

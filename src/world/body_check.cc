@@ -79,8 +79,8 @@ Status check_def(const WorldDef& def) {
 }
 
 std::string out_of_range(const Material& m) {
-  return "found a friction of " + exact(m.friction) + ", dynamic " + exact(m.friction_dynamic) +
-         ", and a restitution of " + exact(m.restitution) + ", wanted friction 0 … 1000 and restitution 0 … 1";
+  return "found a material of friction " + exact(m.friction) + ", dynamic " + exact(m.friction_dynamic) +
+         ", and restitution " + exact(m.restitution) + ", wanted friction 0 … 1000 and restitution 0 … 1";
 }
 
 bool material_in_range(const Material& m) {
