@@ -145,7 +145,7 @@ struct Worker {
   /// Changes a number from `before` to `after`; false where it was another one, which others may have set.
   template <class Number>
   bool exchange(Number& number, Number before, Number after) const {
-    if (parts > 1) return shared::exchange(number, before, after);
+    if (parts > 1) return shared::read(number) == before && shared::exchange(number, before, after);
     if (number != before) return false;
     number = after;
     return true;
