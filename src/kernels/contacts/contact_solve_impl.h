@@ -130,7 +130,8 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
   if constexpr (kSweep == Sweep::kRestitution) {
     const V part = part_of_bounce(m, initial, gained), e = m.get(m.batch->restitution);
     const V given = part * (initial + part * gained);
-    m.set(m.batch->absorbed, m.get(m.batch->absorbed) - ((given == 0.0) | (e == 0.0) ? zero : given / (e * e)));
+    const auto none = (given == 0.0) | (e == 0.0);
+    m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (none ? zero : given / (e * e)));
     for (unsigned k = 0; k < m.batch->count; ++k) {
       m.set(m.points[k].impulse, before[k] + part * (m.get(m.points[k].impulse) - before[k]));
     }
