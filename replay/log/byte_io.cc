@@ -186,6 +186,7 @@ Result<std::unique_ptr<ByteSink>> open_part_sink(const std::string& part, const 
 }
 
 Result<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
+  if (path.empty()) return bad_input("found an empty name, wanted the file of a log");
   // A named pipe lets nobody open it to read before somebody writes, however long that takes.
   File file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!file.ok()) return bad_input(path + ": cannot be opened: " + reason());

@@ -178,6 +178,12 @@ TEST_F(LogFaults, AnOutputThatDidNotReachTheDiskReplacesNothing) {
   }
 }
 
+TEST_F(LogFaults, AnEmptyNameIsSaidToBeOne) {
+  const auto log = LogReader::open("");
+  ASSERT_FALSE(log.ok());
+  EXPECT_EQ(log.error().message, "found an empty name, wanted the file of a log");
+}
+
 TEST_F(LogFaults, AReadThatFailsNamesFileAndByte) {
   ASSERT_TRUE(record({}).ok());
   int reads = 0;
