@@ -63,7 +63,7 @@ TEST(HuntApart, NamesTheFirstAndTheFarthestDifference) {
 
 TEST(HuntApart, AValueBesideNoneIsBeyondEveryBound) {
   // Over ice it never rests.
-  const Judgement one = judge_pair(sliding("0.9"), sliding("0.55"), {"rest_time", 100, 0});
+  const Judgement one = judge_pair(sliding("0.9"), sliding("0.0"), {"rest_time", 100, 0});
   EXPECT_EQ(one.outcome, Outcome::kBroken);
   EXPECT_NE(one.what.find("there"), std::string::npos) << one.what;
   EXPECT_NE(one.what.find("none (never)"), std::string::npos) << one.what;
