@@ -38,13 +38,13 @@ const std::vector<WrongValue<sim::SceneDef>>& wrong_scenes() {
        "body 1: found a mass of 1.1e+12 kg, wanted 1e-09 … 1e+12 kg"},
       {"the least mass", [](auto& s) { s.boxes[0].mass = 1e-9; }, "taken"},
       {"a position beyond", [](auto& s) { s.boxes[0].position.x() = 32769; },
-       "body 1: found a position of (32769, 0, 0.5), wanted one that is finite and within ±32768 m"},
+       "body 1: found position (32769, 0, 0.5) m, wanted finite and within ±32768 m"},
       {"a position that is no number", [](auto& s) { s.boxes[0].position.z() = kNone; },
-       "body 1: found a position of (0, 0, nan), wanted one that is finite and within ±32768 m"},
+       "body 1: found position (0, 0, nan) m, wanted finite and within ±32768 m"},
       {"a velocity beyond", [](auto& s) { s.boxes[1].velocity.y() = -8193; },
-       "body 2: found a velocity of (0, -8193, 0), wanted one that is finite and within ±8192 m/s"},
+       "body 2: found velocity (0, -8193, 0) m/s, wanted finite and within ±8192 m/s"},
       {"a spin beyond", [](auto& s) { s.boxes[1].spin.z() = 8193; },
-       "body 2: found a spin of (0, 0, 8193), wanted one that is finite and within ±8192 rad/s"},
+       "body 2: found spin (0, 0, 8193) rad/s, wanted finite and within ±8192 rad/s"},
       {"no orientation",
        [](auto& s) {
          s.boxes[1].orientation = {0, 0, 0, 0};

@@ -18,13 +18,16 @@ std::string named(const Bodies& bodies, BodyIndex i) { return "body " + std::to_
 
 }  // namespace
 
-Error beyond(const std::string& body, const char* quantity, const Vec3& found, double limit, const char* unit) {
+std::string beyond_text(const char* quantity, const Vec3& found, double limit, const char* unit) {
   const auto digits = [](double value) { return significant(value, 9); };
+  return std::string("found ") + quantity + " (" + digits(found.x()) + ", " + digits(found.y()) + ", " +
+         digits(found.z()) + ") " + unit + ", wanted finite and within ±" + significant(limit, 6) + ' ' + unit;
+}
+
+Error beyond(const std::string& body, const char* quantity, const Vec3& found, double limit, const char* unit) {
   const bool left =
       limit == kPositionMax && std::isfinite(found.x()) && std::isfinite(found.y()) && std::isfinite(found.z());
-  return cannot_finish(body + ": found " + quantity + " (" + digits(found.x()) + ", " + digits(found.y()) + ", " +
-                       digits(found.z()) + ") " + unit + ", wanted finite and within ±" + significant(limit, 6) + ' ' +
-                       unit + "; " +
+  return cannot_finish(body + ": " + beyond_text(quantity, found, limit, unit) + "; " +
                        (left ? "it left the world: start nearer to the origin, stop it, or remove it before"
                              : "use smaller speeds, a smaller dt or less extreme masses"));
 }

@@ -25,7 +25,9 @@ inline bool far_within_limits(const Vec3& position, const Vec3& velocity, const 
 }
 inline bool nearly_unit(const Quat& q) { return std::fabs(squared_length(q) - 1) <= kNormTolerance; }
 
-/// "<body>: found <quantity> <found>, wanted finite and within ±limit", and advice.
+/// "found <quantity> <found>, wanted finite and within ±limit".
+std::string beyond_text(const char* quantity, const Vec3& found, double limit, const char* unit);
+/// "<body>: " and that, and advice.
 Error beyond(const std::string& body, const char* quantity, const Vec3& found, double limit, const char* unit);
 
 /// The exact tests of check_body and check_gain, for bodies that are not far within the limits.

@@ -91,13 +91,11 @@ Status check_box(const BoxDef& box) {
   if (!(box.mass >= kMassMin && box.mass <= kMassMax)) {
     return bad_box(box, "found a mass of " + exact(box.mass) + " kg, wanted " + range(kMassMin, kMassMax, "kg"));
   }
-  const auto beyond_range = [&](const std::string& what, const Vec3& v, const std::string& range) {
-    return bad_box(box, "found a " + what + " of (" + exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()) +
-                            "), wanted one that is finite and within ±" + range);
-  };
-  if (!within(box.position, kPositionMax)) return beyond_range("position", box.position, "32768 m");
-  if (!within(box.velocity, kSpeedMax)) return beyond_range("velocity", box.velocity, "8192 m/s");
-  if (!within(box.spin, kSpeedMax)) return beyond_range("spin", box.spin, "8192 rad/s");
+  if (!within(box.position, kPositionMax)) {
+    return bad_box(box, beyond_text("position", box.position, kPositionMax, "m"));
+  }
+  if (!within(box.velocity, kSpeedMax)) return bad_box(box, beyond_text("velocity", box.velocity, kSpeedMax, "m/s"));
+  if (!within(box.spin, kSpeedMax)) return bad_box(box, beyond_text("spin", box.spin, kSpeedMax, "rad/s"));
   const Quat& q = box.orientation;
   const double norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
   if (!(norm > 1e-12 && norm < 1e12)) return bad_box(box, "its orientation has no direction; use [1, 0, 0, 0]");

@@ -70,3 +70,12 @@ int misuse_log_in_c(char* message, size_t room) {
   tumble_log_free(NULL);
   return first == second ? (int)first : -1;
 }
+
+int add_channel_in_c(int kind, int scope, char* message, size_t room) {
+  TumbleLog* log = tumble_log_new("C engine", NULL);
+  const TumbleLogStatus done = tumble_log_add_channel(log, "joint", (TumbleLogKind)kind, (TumbleLogScope)scope, NULL);
+  strncpy(message, tumble_log_message(log), room - 1);
+  message[room - 1] = '\0';
+  tumble_log_free(log);
+  return (int)done;
+}

@@ -123,15 +123,5 @@ TEST(EngineLogRefusal, OfValuesAndContactsOfBodiesThatDoNotExist) {
   EXPECT_FALSE(EngineLog::create(std::move(sink), def, start).ok());
 }
 
-TEST(EngineLogRefusal, OfAChannelOfNoKind) {
-  for (const auto& [kind, scope] : {std::pair(static_cast<TumbleLogKind>(7), TUMBLE_BODY),
-                                    std::pair(TUMBLE_INT64, static_cast<TumbleLogScope>(3))}) {
-    TumbleLog* log = tumble_log_new("C engine", "0.1");
-    EXPECT_EQ(tumble_log_add_channel(log, "joint", kind, scope, nullptr), TUMBLE_BAD_INPUT);
-    EXPECT_NE(std::string(tumble_log_message(log)).find("channel \"joint\": found kind"), std::string::npos);
-    tumble_log_free(log);
-  }
-}
-
 }  // namespace
 }  // namespace tumble::replay

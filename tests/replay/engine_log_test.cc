@@ -16,6 +16,7 @@
 #include "tests/support/engine_log_in_c.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/compare.h"
+#include "tumble/replay/engine_log_c.h"
 #include "tumble/replay/player.h"
 #include "tumble/replay/replayer.h"
 
@@ -263,6 +264,16 @@ TEST(EngineLog, CSaysWhatWentWrongFirst) {
   std::array<char, 300> message{};
   EXPECT_EQ(misuse_log_in_c(message.data(), message.size()), 2);
   EXPECT_NE(std::string(message.data()).find("wanted tumble_log_begin() before"), std::string::npos) << message.data();
+}
+
+// 256 is 0 in eight bits.
+TEST(EngineLogInC, RefusesAChannelOfNoKind) {
+  char message[200];
+  for (const auto& [kind, scope] : {std::pair(7, 1), std::pair(256, 1), std::pair(2, 3), std::pair(2, 256)}) {
+    EXPECT_EQ(add_channel_in_c(kind, scope, message, sizeof message), static_cast<int>(TUMBLE_BAD_INPUT))
+        << kind << ", " << scope;
+    EXPECT_NE(std::string(message).find("channel \"joint\": found kind"), std::string::npos) << message;
+  }
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ int write_log_in_c(const char* path, char* message, size_t room);
 /* Ends a step of a log that was never begun. */
 int misuse_log_in_c(char* message, size_t room);
 
+/* Declares a channel of any kind and scope, which C++ could not pass. */
+int add_channel_in_c(int kind, int scope, char* message, size_t room);
+
 #ifdef __cplusplus
 }
 #endif

@@ -31,6 +31,7 @@ Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
   return {};
 }
 
+// What warm starting takes from impulses that stopped a hit shows in the velocities.
 void hash_apply_forces(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   add_solver_velocities(scratch, hasher);
 }
