@@ -119,7 +119,9 @@ TimelineRow TimelineScan::next() {
   row.kinetic = record_->counters.kinetic;
   row.potential = record_->counters.potential;
   row.inputs = record_->counters.inputs;
-  row.contacts = record_->counters.contacts;
+  // Our steps count theirs; another engine tells them one by one, or none.
+  row.contacts =
+      log_->header().engine ? static_cast<std::uint32_t>(record_->extras.contacts.size()) : record_->counters.contacts;
   if (meter_) {
     for (const sim::Command& input : record_->inputs) meter_->apply(input);
   }

@@ -12,6 +12,7 @@
 #include "replay/log/record_reader.h"
 #include "replay/log/verify.h"
 #include "replay/recover/recover.h"
+#include "replay/view/timeline.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/log_reader.h"
@@ -150,6 +151,14 @@ TEST(Extras, ComeBackToTheBit) {
   EXPECT_EQ((*log.read_step(4))->extras.snapshots.front(), (EngineSnapshot{"whole", "state"}));
   EXPECT_EQ((*log.read_step(6))->extras.superseded.front().difference, "position.x of body 1");
   EXPECT_EQ((*log.read_step(0))->extras.values(5).bits.front(), 42U);
+}
+
+TEST(Extras, TheTimelineCountsTheContactsThatWereTold) {
+  const MemoryFile file = session();
+  LogReader log = read(file);
+  TimelineScan timeline(log);
+  EXPECT_EQ(timeline.next().contacts, 0U);  // none were told of the start
+  EXPECT_EQ(timeline.next().contacts, 2U);
 }
 
 TEST(Extras, NamesAndShapesAreFoundWhereverTheyWereGiven) {

@@ -64,16 +64,18 @@ solid var(--ink); pointer-events: none; }\naside { min-width: 0; font-size: .92r
 -width: 0; }\n.search output { display: block; min-height: 1.5em; margin: .25rem 0; }\n.hits, .marks, ol.inputs { margin: 0 0 .5rem; padding-left: 1.1rem; }\n.hits\
  li.at { font-weight: 600; }\n.session details.panel { margin: 0 0 .6rem; background: var(--paper); }\n.session details.panel summary { padding: .4rem .75rem; }\n.\
 panel .inside { padding: .4rem .75rem .6rem; overflow-wrap: anywhere; }\n.panel table { font-size: .86rem; }\n.panel caption { padding: .3rem 0; text-align: left;\
- color: var(--soft); }\n.panel th { font-weight: 400; } .panel thead th { color: var(--soft); }\n.phases th[scope] { white-space: nowrap; }\n.panel th, .panel td {\
- padding: .15rem .4rem .15rem 0; vertical-align: baseline; }\ntr.differs th, tr.differs td { color: var(--bad); font-weight: 600; } tr.differs button.link { colo\
-r: inherit; }\nol.blame { margin: .3rem 0; padding-left: 1.3rem; } ol.blame p { margin: .1rem 0; } .shares { padding-left: 1rem; color: var(--soft); }\n.actions {\
- display: flex; gap: .4rem; flex-wrap: wrap; }\n.keys { display: grid; grid-template-columns: auto 1fr; gap: .15rem .8rem; margin: 0; font-size: .86rem; }\n.keys \
-dd { margin: 0; } kbd { font: inherit; font-weight: 600; white-space: nowrap; }\n@media (max-width: 60rem) { .work { grid-template-columns: minmax(0, 1fr); } }\n@\
-media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .session .view3d { height: 46vh; min-height: 14rem; }\n  .lane { grid-template-columns: 7.2rem mi\
-nmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: table-row-group; }\n  .session thead { displa\
-y: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem \
-0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type=\
-"range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var K0="uplot",j0="u-hz",Q0="u-vt",e_="u-title",t_="u-wrap",n_="u-under",i_="u-over",s_="u-axis",Ys="u-off",r_="u-select",o_="u-cursor-x",a_="u-cursor-y",l_="u-\
+ color: var(--soft); }\n.panel th { font-weight: 400; } .panel thead th { color: var(--soft); }\n.phases th[scope], .pair th { white-space: nowrap; }\n.pair td { f\
+ont-size: .85em; } .pair .differs :is(td, th[scope="row"]) { font-weight: 400; }\n.panel .pair tr:first-child :is(th[scope="row"], td) { padding-bottom: 0; borde\
+r-bottom: 0; }\n.panel .pair tr + tr :is(th, td) { padding-top: 0; }\n.panel th, .panel td { padding: .15rem .4rem .15rem 0; vertical-align: baseline; }\ntr.differ\
+s th, tr.differs td { color: var(--bad); font-weight: 600; } tr.differs button.link { color: inherit; }\nol.blame { margin: .3rem 0; padding-left: 1.3rem; } ol.b\
+lame p { margin: .1rem 0; } .shares { padding-left: 1rem; color: var(--soft); }\n.actions { display: flex; gap: .4rem; flex-wrap: wrap; }\n.keys { display: grid; \
+grid-template-columns: auto 1fr; gap: .15rem .8rem; margin: 0; font-size: .86rem; }\n.keys dd { margin: 0; } kbd { font: inherit; font-weight: 600; white-space: \
+nowrap; }\n@media (max-width: 60rem) { .work { grid-template-columns: minmax(0, 1fr); } }\n@media (max-width: 44rem) {\n  body.session { padding: .6rem; }\n  .sessi\
+on .view3d { height: 46vh; min-height: 14rem; }\n  .lane { grid-template-columns: 7.2rem minmax(0, 1fr); }\n  .session thead { position: static; } .session table \
+{ display: table; } .session tbody { display: table-row-group; }\n  .session thead { display: table-header-group; } .session tr { display: table-row; }\n  .sessio\
+n th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text\
+-align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type="range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-mot\
+ion: reduce) { * { scroll-behavior: auto; } }\n';var K0="uplot",j0="u-hz",Q0="u-vt",e_="u-title",t_="u-wrap",n_="u-under",i_="u-over",s_="u-axis",Ys="u-off",r_="u-select",o_="u-cursor-x",a_="u-cursor-y",l_="u-\
 cursor-pt",c_="u-legend",h_="u-live",u_="u-inline",d_="u-series",f_="u-marker",of="u-label",p_="u-value",So="width",wo="height";var af="bottom",br="left",yh="right",Fh="#000",lf=Fh+"0",vh="mousemove",cf="mousedown",bh="mouseup",hf="mouseenter",uf="mouseleave",df="dblclick",m_="resize",g_="\
 scroll",ff="change",Da="dppxchange",Oh="--",Cr=typeof window<"u",Ah=Cr?document:null,Sr=Cr?window:null,__=Cr?navigator:null,wt,Pa;function Eh(){let i=devicePixelRatio;
 wt!=i&&(wt=i,Pa&&Rh(ff,Pa,Eh),Pa=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Zs(ff,Pa,Eh),Sr.dispatchEvent(
@@ -91,9 +93,9 @@ c=a(o(dn(i))),d=l(o(dn(e))),u=wr(t,c),h=wr(t,d);return t==10&&(c<0&&(u=Dt(u,-c))
 let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,yf={mode:3,pad:zh},Ao={pad:0,soft:null,mode:0},b_={min:Ao,max:Ao};function Ua(i,e,t,n){return za(
 t)?vf(i,e,t):(Ao.pad=t,Ao.soft=n?0:null,Ao.mode=n?3:0,vf(i,e,b_))}function Mt(i,e){return i??e}function M_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function vf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
-u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),y=Fn(dn(i),dn(e)),g=Ji(y),m=dn(g-p);(f<1e-24||m>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let x=f||y||1e3,S=Ji(x),b=wr(10,Zn(S)),C=x*(f==0?i==0?.1:1:r),w=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&w<=c||u==2&&w>=c)?c:Nt,M=Fn(a,w<_&&i>=_?_:_i(_,w)),
-R=x*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Fn(I,P));return M==F&&M==0&&(F=100),[M,F]}var S_=new Intl.
+u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ji(f),x=Fn(dn(i),dn(e)),m=Ji(x),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
+0)));let y=f||x||1e3,S=Ji(y),b=wr(10,Zn(S)),C=y*(f==0?i==0?.1:1:r),w=Dt(Qf(i-C,b/10),24),_=i>=c&&(u==1||u==3&&w<=c||u==2&&w>=c)?c:Nt,M=Fn(a,w<_&&i>=_?_:_i(_,w)),
+R=y*(f==0?e==0?.1:1:o),P=Dt(ka(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=_i(l,P>I&&e<=I?I:Fn(I,P));return M==F&&M==0&&(F=100),[M,F]}var S_=new Intl.
 NumberFormat(Cr?__.language:"en-US"),Vh=i=>S_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,ai=Jn.ceil,_i=Jn.min,Fn=Jn.max,wr=Jn.pow,bf=Jn.sign,Ji=Jn.
 log10,Zf=Jn.log2,w_=(i,e=1)=>Jn.sinh(i)*e,Mh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function Mf(i){return(Ji((i^i>>31)-(i>>31))|0)+1}function Ph(i,e,t){return _i(Fn(i,e),
 t)}function Jf(i){return typeof i=="function"}function gt(i){return Jf(i)?i:()=>i}var T_=()=>{},Kf=i=>i,jf=(i,e)=>e,A_=i=>null,Sf=i=>!0,wf=(i,e)=>i==e,E_=/\.\d*?(?=9{6,}|0{6,})/gm,
@@ -110,7 +112,7 @@ var I_=0,L_=1,N_=2;function D_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e
 s++]=null}}}function U_(i,e){if(B_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return k_(o[0])||(o=O_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
 n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:L_,f=[];for(let p=0;p<d.length;p++){
-let y=d[p],g=r.get(l[p]);y===null?h!=I_&&(u[g]=y,h==N_&&f.push(g)):u[g]=y}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+let x=d[p],m=r.get(l[p]);x===null?h!=I_&&(u[m]=x,h==N_&&f.push(m)):u[m]=x}D_(u,f,s),n.push(u)}}return n}var F_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
 i):queueMicrotask;function O_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
 let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function B_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
 length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function k_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
@@ -128,15 +130,15 @@ C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==X_?t=i:(t=new Date(i.toLocaleStri
 {aa}",Z_="{h}:{mm}",Mr=Z_+hp,Ef=Wh+Mr,Cf=":{ss}",Tt=null;function up(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Co(10,0,3,Fa).filter(op):Co(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
 o*25,o*50,o*100]),c=[[o,lp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Af,Tt,Tt,Tt,Tt,Tt,1],[s,cp,Af,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+hp,Ia,Tt,To,Tt,Tt,Tt,1],[t,Mr,Ia,Tt,To,Tt,
-Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,y,g,m)=>{let x=[],S=g>=o,b=g>=r&&
-g<o,C=u(p),w=Dt(C*i,3),_=Sh(C.getFullYear(),S?0:C.getMonth(),b||S?1:C.getDate()),M=Dt(_*i,3);if(b||S){let R=b?g/r:0,P=S?g/o:0,I=w==M?w:Dt(Sh(_.getFullYear()+P,_.
-getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=y;G++){let Y=Sh(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=y&&
-x.push(I)}}else{let R=g>=s?s:g,P=Zn(p)-Zn(w),I=M+P+ka(w-M,R);x.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=g/n,G=h.axes[f]._space,Y=m/
-G;for(;I=Dt(I+g,i==1?0:3),!(I>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=x[x.length-1];Dt((I-se)/g,3)*Y>=.7&&x.
-push(I)}else x.push(I)}return x}}return[l,c,d]}var[J_,K_,j_]=up(1),[Q_,ex,tx]=up(.001);Co(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let y=i(p),g=y.getFullYear(),
-m=y.getMonth(),x=y.getDate(),S=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),w=g!=l&&a[2]||m!=c&&a[3]||x!=d&&a[4]||S!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-g,c=m,d=x,u=S,h=b,f=C,w(y)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
+Tt,Tt,1],[e,Cf,Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1],[i,Cf+".{fff}",Ia+" "+Mr,Tt,To+" "+Mr,Tt,Ef,Tt,1]];function d(u){return(h,f,p,x,m,g)=>{let y=[],S=m>=o,b=m>=r&&
+m<o,C=u(p),w=Dt(C*i,3),_=Sh(C.getFullYear(),S?0:C.getMonth(),b||S?1:C.getDate()),M=Dt(_*i,3);if(b||S){let R=b?m/r:0,P=S?m/o:0,I=w==M?w:Dt(Sh(_.getFullYear()+P,_.
+getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=x;G++){let Y=Sh(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=x&&
+y.push(I)}}else{let R=m>=s?s:m,P=Zn(p)-Zn(w),I=M+P+ka(w-M,R);y.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
+G;for(;I=Dt(I+m,i==1?0:3),!(I>x);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=y[y.length-1];Dt((I-se)/m,3)*Y>=.7&&y.
+push(I)}else y.push(I)}return y}}return[l,c,d]}var[J_,K_,j_]=up(1),[Q_,ex,tx]=up(.001);Co(2,-53,53,[1]);function Rf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Pf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let x=i(p),m=x.getFullYear(),
+g=x.getMonth(),y=x.getDate(),S=x.getHours(),b=x.getMinutes(),C=x.getSeconds(),w=m!=l&&a[2]||g!=c&&a[3]||y!=d&&a[4]||S!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+m,c=g,d=y,u=S,h=b,f=C,w(x)})}}function nx(i,e){let t=Hh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Sh(i,e,t){return new Date(i,e,t)}function If(i,e){return e(
 i)}var ix="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Lf(i,e){return(t,n,s,r)=>r==null?Oh:e(i(n))}function sx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
 points.width?t.points.stroke(i,e):null}function rx(i,e){return i.series[e].fill(i,e)}var ox={show:!0,live:!0,isolate:!1,mount:T_,markers:{show:!0,width:2,stroke:sx,
 fill:rx,dash:"solid"},idx:null,idxs:null,values:[]};function ax(i,e){let t=i.cursor.points,n=oi(),s=t.size(i,e);zt(n,So,s),zt(n,wo,s);let r=s/-2;zt(n,"marginLef\
@@ -165,56 +167,56 @@ idxs:[],path:null,clip:null};function Tx(i,e,t,n,s){return t/10}var yp={time:!0,
 ori:1}),zf={};function vp(i,e){let t=zf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
 t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(zf[i]=t)),t}var Er=1,Nh=2;function Ks(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,y=a.height,g=i.valToPosH,m=i.valToPosV;return d.ori==0?t(s,l,c,d,u,g,m,h,f,p,y,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,m,g,f,h,y,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
+width,x=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,x,Ga,Rr,Wa,Mp,wp):t(s,l,c,d,u,g,m,f,h,x,p,Ha,Pr,Zh,Sp,Tp)}function qh(i,e){let t=0,
 n=0,s=Mt(i.bands,Gh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Ex(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ki(i,e,t,n,s,r){
-return Ks(i,e,(o,a,l,c,d,u,h,f,p,y,g)=>{let m=o.pxRound,x=c.dir*(c.ori==0?1:-1),S=c.ori==0?Rr:Pr,b,C;x==1?(b=t,C=n):(b=n,C=t);let w=m(u(a[b],c,y,f)),_=m(h(l[b],
-d,g,p)),M=m(u(a[C],c,y,f)),R=m(h(r==1?d.max:d.min,d,g,p)),P=new Path2D(s);return S(P,M,R),S(P,w,R),S(P,w,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Ks(i,e,(o,a,l,c,d,u,h,f,p,x,m)=>{let g=o.pxRound,y=c.dir*(c.ori==0?1:-1),S=c.ori==0?Rr:Pr,b,C;y==1?(b=t,C=n):(b=n,C=t);let w=g(u(a[b],c,x,f)),_=g(h(l[b],
+d,m,p)),M=g(u(a[C],c,x,f)),R=g(h(r==1?d.max:d.min,d,m,p)),P=new Path2D(s);return S(P,M,R),S(P,w,R),S(P,w,_),P})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:Zh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
 d/2,c,n+r+d)}return o}function Cx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Yh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
-t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
-0&&y<l?r(i[y]):f;let m=h+s;p=o>=0&&m>=0&&m<l?r(i[m]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>$s(e,i)}function bp(i){let e=i==0?Ga:
+t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),x=u-s;f=o<=0&&x>=
+0&&x<l?r(i[x]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Vf(i){return i==0?Kf:i==1?un:e=>$s(e,i)}function bp(i){let e=i==0?Ga:
 Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
 var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Rr=(i,e,t)=>{i.lineTo(e,t)},Pr=(i,e,t)=>{i.lineTo(t,e)},Wa=bp(0),Zh=bp(1),Mp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},Sp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},wp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Tp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Ap(i){
-return(e,t,n,s,r)=>Ks(e,t,(o,a,l,c,d,u,h,f,p,y,g)=>{let{pxRound:m,points:x}=o,S,b;c.ori==0?(S=Ga,b=Mp):(S=Ha,b=Sp);let C=Dt(x.width*wt,3),w=(x.size-x.width)/2*wt,
-_=Dt(w*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=m(u(a[G],c,y,f)),W=m(h(l[G],
-d,g,p));S(M,Y+w,W),b(M,Y,W,w,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Ks(t,n,(o,a,l,c,d,u,h,f,p,y,g)=>{
-[s,r]=Oa(l,s,r);let m=o.pxRound,x=z=>m(u(z,c,y,f)),S=z=>m(h(z,d,g,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let w=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=x(a[w==1?s:r]),Q=x(a[s]),se=x(a[r]),
-de=z(w==1?Q+1:se-1);for(let ue=w==1?s:r;ue>=s&&ue<=r;ue+=w){let ee=a[ue],xe=(w==1?ee<de:ee>de)?K:x(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,S(W)),Y=D=G=
+return(e,t,n,s,r)=>Ks(e,t,(o,a,l,c,d,u,h,f,p,x,m)=>{let{pxRound:g,points:y}=o,S,b;c.ori==0?(S=Ga,b=Mp):(S=Ha,b=Sp);let C=Dt(y.width*wt,3),w=(y.size-y.width)/2*wt,
+_=Dt(w*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;Wa(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,x,f)),W=g(h(l[G],
+d,m,p));S(M,Y+w,W),b(M,Y,W,w,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Er|Nh}})}function Ep(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Rx=Ep(Rr),Px=Ep(Pr);function Cp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Ks(t,n,(o,a,l,c,d,u,h,f,p,x,m)=>{
+[s,r]=Oa(l,s,r);let g=o.pxRound,y=z=>g(u(z,c,x,f)),S=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Rr,C=Rx):(b=Pr,C=Px);let w=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Er},M=_.stroke,R=!1;if(r-s>=x*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=y(a[w==1?s:r]),Q=y(a[s]),se=y(a[r]),
+de=z(w==1?Q+1:se-1);for(let ue=w==1?s:r;ue>=s&&ue<=r;ue+=w){let ee=a[ue],xe=(w==1?ee<de:ee>de)?K:y(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,S(W)),Y=D=G=
 W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,b(M,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+w))}
-D!=null&&D!=G&&ce!=K&&C(M,K,S(D),S(G),S(Y),S(W))}else for(let z=w==1?s:r;z>=s&&z<=r;z+=w){let D=l[z];D===null?R=!0:D!=null&&b(M,x(a[z]),S(D))}let[I,F]=qh(t,n);if(o.
-fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=S(D),Y=x(a[s]),W=x(a[r]);w==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
-R&&z.push(...Yh(a,l,s,r,w,x,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,y,g)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
-F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Ks(r,o,(c,d,u,h,f,p,y,g,m,x,S)=>{[a,l]=Oa(u,
-a,l);let b=c.pxRound,{left:C,width:w}=r.bbox,_=Q=>b(p(Q,h,x,g)),M=Q=>b(y(Q,f,S,m)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+D!=null&&D!=G&&ce!=K&&C(M,K,S(D),S(G),S(Y),S(W))}else for(let z=w==1?s:r;z>=s&&z<=r;z+=w){let D=l[z];D===null?R=!0:D!=null&&b(M,y(a[z]),S(D))}let[I,F]=qh(t,n);if(o.
+fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=S(D),Y=y(a[s]),W=y(a[r]);w==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
+R&&z.push(...Yh(a,l,s,r,w,y,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Va(z,c.ori,f,p,x,m)}return F!=0&&(_.band=F==2?[Ki(t,n,s,r,M,-1),Ki(t,n,s,r,M,1)]:Ki(t,n,s,r,M,
+F)),_})}function Ix(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Ks(r,o,(c,d,u,h,f,p,x,m,g,y,S)=>{[a,l]=Oa(u,
+a,l);let b=c.pxRound,{left:C,width:w}=r.bbox,_=Q=>b(p(Q,h,y,m)),M=Q=>b(x(Q,f,S,g)),R=h.ori==0?Rr:Pr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
 flags:Er},I=P.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,R(I,Y,z)),R(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
 if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+w,R(I,W,z));let[ce,K]=qh(r,o);if(c.fill!=null||
 ce!=0){let Q=P.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);R(Q,W,de),R(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Yh(d,u,a,l,F,_,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,g,m,x,S)}return K!=0&&(P.band=K==2?[
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Va(Q,h.ori,m,g,y,S)}return K!=0&&(P.band=K==2?[
 Ki(r,o,a,l,I,-1),Ki(r,o,a,l,I,1)]:Ki(r,o,a,l,I,K)),P})}function Gf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
 if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Lx(i){i=i||Eo;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,y,g)=>Ks(
-f,p,(m,x,S,b,C,w,_,M,R,P,I)=>{let F=m.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
-ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=m.fillTo(f,p,m.min,m.max,ue),me=F(
-_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(m.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,y,g),lt=new Map,new Set(ut).
-forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,y,g),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,x=Ut.values(f,p,y,g),Ut.unit==2&&(x=x.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,y,g);Qt.unit==2?Ee=Re[0]*P:Ee=w(Re[0],
-b,P,M)-w(0,b,P,M),He=Gf(x,S,w,b,P,M,He),Me=He-Ee+D}else He=Gf(x,S,w,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Eo),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,x,m)=>Ks(
+f,p,(g,y,S,b,C,w,_,M,R,P,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:Zh,se=b.
+ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Gh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
+_(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,x,m),lt=new Map,new Set(ut).
+forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,x,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
+if(Ut!=null&&Qt!=null){z=1,y=Ut.values(f,p,x,m),Ut.unit==2&&(y=y.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,x,m);Qt.unit==2?Ee=Re[0]*P:Ee=w(Re[0],
+b,P,M)-w(0,b,P,M),He=Gf(y,S,w,b,P,M,He),Me=He-Ee+D}else He=Gf(y,S,w,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=Kf);let Pt=Me>0,gn=He-Me-
 (Pt?nt:0);Ee=F(Ph(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(S=$e.values(f,p,y,g),$t=Re.values(f,p,y,g))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:g;Re>=y&&Re<=g;Re+=K){let $e=S[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
-null?x[Re]:Re,Se=w(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Fn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
+new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(S=$e.values(f,p,x,m),$t=Re.values(f,p,x,m))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?x:m;Re>=x&&Re<=m;Re+=K){let $e=S[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
+null?y[Re]:Re,Se=w(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Fn(Lt,me)),L=F(_i(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
 null&&Q(Gt.get(et[Re]),ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he)):Q(cn,ze,L+Zn(nt/2),Ee,Fn(0,T-nt),$,he),
-se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=m.width==0?m._fill:m._stroke??m._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
-let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Ks(n,s,(a,l,c,d,u,h,f,p,y,g,m)=>{[r,o]=Oa(c,r,o);let x=a.pxRound,S=W=>x(h(W,d,g,p)),b=W=>x(f(W,u,m,y)),C,w,_;d.ori==0?
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Nx(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Ks(n,s,(a,l,c,d,u,h,f,p,x,m,g)=>{[r,o]=Oa(c,r,o);let y=a.pxRound,S=W=>y(h(W,d,m,p)),b=W=>y(f(W,u,g,x)),C,w,_;d.ori==0?
 (C=Ga,_=Rr,w=wp):(C=Ha,_=Pr,w=Tp);let M=d.dir*(d.ori==0?1:-1),R=S(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=S(K);
-I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,w,x),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
+I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,w,y),fill:null,clip:null,band:null,gaps:null,flags:Er},D=z.stroke,[G,Y]=qh(n,s);if(a.fill!=null||G!=0){let W=z.
 fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Yh(l,c,r,o,M,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Va(W,d.ori,p,y,g,m)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
+Va(W,d.ori,p,x,m,g)}return Y!=0&&(z.band=Y==2?[Ki(n,s,r,o,D,-1),Ki(n,s,r,o,D,1)]:Ki(n,s,r,o,D,Y)),z})}function Dx(i){return Nx(Ux,i)}function Ux(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
@@ -227,26 +229,26 @@ t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function W
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
 root=oi(K0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=oi(e_,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=oi(t_,c);Zs("\
-click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let y=+Mt(i.pxAlign,1),g=Vf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let m=i.ms||.001,x=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),S=n.axes=Wf(i.axes||
-[],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let w=s==2?x[1].facets[0].scale:x[0].scale,_={axes:Yi,
+click",h,v=>{v.target===p&&(Ot!=gr||Ht!=_r)&&Sn.click(n,v)},!0);let f=n.under=oi(n_,h);h.appendChild(d);let p=n.over=oi(i_,h);i=Ar(i);let x=+Mt(i.pxAlign,1),m=Vf(
+x);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,y=n.series=s==1?Wf(i.series||[],Df,kf,!1):Bx(i.series||[null],Bf),S=n.axes=Wf(i.axes||
+[],Nf,Ff,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let w=s==2?y[1].facets[0].scale:y[0].scale,_={axes:Yi,
 series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function R(v){let A=v.distr==3?N=>Ji(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>Mh(N,v.asinh):
 v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function P(v){let A=b[v];if(A==null){let N=(i.scales||Eo)[v]||Eo;if(N.
 from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==w?yp:Ax,N),A.key=v;let U=A.time,H=A.range,J=Ms(H);if((v!=w||s==
 2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?yf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?yf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
 H=(fe,ve,Ne)=>ve==null?Tr:Ua(ve,Ne,ae)}A.range=gt(H||(U?kx:v==w?A.distr==3?Vx:A.distr==4?Gx:Rp:A.distr==3?Pp:A.distr==4?Ip:zx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||Tx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&x.forEach(v=>{P(v.scale)}),S.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[w],
+A.clamp||Tx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&y.forEach(v=>{P(v.scale)}),S.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[w],
 F=I.distr,z,D;I.ori==0?(Yn(c,j0),z=r,D=o):(Yn(c,Q0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/m))),W=i.fmtDate||Hh,ce=m==1?j_(Y):tx(Y),K=Pf(Y,Rf(m==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Hh,ce=g==1?j_(Y):tx(Y),K=Pf(Y,Rf(g==1?K_:ex,W)),Q=Lf(Y,If(ix,W)),se=[],de=n.legend=on({},ox,i.legend),
 ue=n.cursor=on({},dx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
-xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=x[1]?x[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Oh}if(ee)
+xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=y[1]?y[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Oh}if(ee)
 if(Ee=mi("table",c_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){Me=mi("thead",null,Ee,He);let v=mi("tr",null,Me);mi("th",null,v);for(var Gt in ut)mi("th",of,v).
 textContent=Gt}else Yn(Ee,u_),de.live&&Yn(Ee,h_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Tr;let N=[],U=mi("tr",d_,He,
 He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,Ys);let H=mi("th",null,U);if(xe.show){let fe=oi(f_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
 dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=oi(of,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
-(xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=x.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
-isolate){let Ne=x.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);x.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
-!1),Je&&vt(hf,H,fe=>{ue._lock||(Ze(fe),Ri(x.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",p_,U);fe.textContent="--",N.push(fe)}return[U,
+(xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=y.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
+isolate){let Ne=y.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);y.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
+!1),Je&&vt(hf,H,fe=>{ue._lock||(Ze(fe),Ri(y.indexOf(v),yr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",p_,U);fe.textContent="--",N.push(fe)}return[U,
 N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(Zs(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
 (v==null||H==v)&&(Rh(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
 ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=$t=B=v,n.height=en=Re=A,$e=it=0,
@@ -263,56 +265,56 @@ Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
 ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],In=[];function po(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,l_),Yn(N,v.class),Ni(N,-10,-10,
 B,Re),p.insertBefore(N,ot[A]),N}function hr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Tf(U)?Lf(Y,If(U,W)):U||Q:U||Mx,v.label=v.label||(N?
-px:fx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Fx||A_,v.fillTo=gt(v.fillTo||Ex),v.pxAlign=+Mt(v.pxAlign,y),v.pxRound=Vf(v.pxAlign),v.stroke=
+px:fx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Fx||A_,v.fillTo=gt(v.fillTo||Ex),v.pxAlign=+Mt(v.pxAlign,x),v.pxRound=Vf(v.pxAlign),v.stroke=
 gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=Sx(Fn(1,v.width),1),U=v.points=on({},{size:N,width:Fn(1,N*.2),stroke:v.
 stroke,space:N*2,paths:Ox,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
 U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=po(v,A)):
-A>0&&(N=po(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),In.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??x.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),x.splice(
-A,0,v),hr(x[A],A)}n.addSeries=ch;function Aa(v){if(x.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
+A>0&&(N=po(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),In.splice(A,0,0)}yn("addSeries",A)}function ch(v,A){A=A??y.length,v=s==1?Uh(v,A,Df,kf):Uh(v,A,{},Bf),y.splice(
+A,0,v),hr(y[A],A)}n.addSeries=ch;function Aa(v){if(y.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
 me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),In.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Xi(v,A){if(v._show=
-v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?x[1].scale:w,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-Ms(v.incrs)&&v.incrs.forEach(ae=>{!Ss.has(ae)&&Ss.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?m==1?J_:Q_:qs)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?y[1].scale:w,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
+Ms(v.incrs)&&v.incrs.forEach(ae=>{!Ss.has(ae)&&Ss.set(ae,ep(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Y_:H?g==1?J_:Q_:qs)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
 U.distr==3?Ih:U.distr==4?_x:gx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
 values;v.values=Ms(J)&&!Ms(J[0])?gt(J):H?Ms(J)?Pf(Y,Rf(J,W)):Tf(J)?nx(Y,J):J||K:J||mx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?vx:U.distr==3&&U.log==2?bx:jf)),
 v.font=Xf(v.font),v.labelFont=Xf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
 oi(s_,h))}}function $i(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Nf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
-!fe?un(Ff.size/2):0),Ne}let mo=n.padding=(i.padding||[$i,$i,$i,$i]).map(v=>gt(Mt(v,$i))),di=n._padding=mo.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?x[0].
-idxs:null,Wn=null,gs=!1;function go(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<x.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
+!fe?un(Ff.size/2):0),Ne}let mo=n.padding=(i.padding||[$i,$i,$i,$i]).map(v=>gt(Mt(v,$i))),di=n._padding=mo.map((v,A)=>v(n,A,Ai,0)),qt,Kt=null,jt=null,Ei=s==1?y[0].
+idxs:null,Wn=null,gs=!1;function go(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<y.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
 e=[[]]),Wn=e[0],qt=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
 !1){let N=I;N.auto(n,gs)?_o():ys(w,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=go;function _o(){gs=!0;let v,A;s==1&&(qt>0?(Kt=Ei[0]=0,jt=Ei[1]=qt-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/m):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=kh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Ua(v,A,zh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
 A=null)),ys(w,v,A)}let ur,_s,dr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=lf,N??=Gh,U??="butt",H??=lf,J??="round",v!=ur&&(u.strokeStyle=ur=v),H!=_s&&(u.fillStyle=
 _s=H),A!=dr&&(u.lineWidth=dr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=_s&&(u.fillStyle=_s=A),v!=q&&(u.font=
 q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,gs)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
 U.length-1),fe=N.min==null?v_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Fn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
 for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[w]!=null&&H.auto(n,gs))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
 (G[U]=je)}G[w]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Ar(b[U],R_);if(H.min!=null)on(J,H);else if(U!=w||s==2)if(qt==0&&J.from==
-null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){x.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
+null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){y.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
 fe=J.scale,ve=ae.scale,[Ne,De]=e[H],Fe=v[fe],tt=v[ve];Fe!=null&&ke(Fe,G[fe],J,Ne,J.sorted),tt!=null&&ke(tt,G[ve],ae,De,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in v){
 let H=v[U],J=G[U];if(H.from==null&&(J==null||J.min==null)){let ae=H.range(n,H.min==Nt?null:H.min,H.max==-Nt?null:H.max,U);H.min=ae[0],H.max=ae[1]}}}for(let U in v){
 let H=v[U];if(H.from!=null){let J=v[H.from];if(J.min==null)H.min=H.max=null;else{let ae=H.range(n,J.min,J.max,U);H.min=ae[0],H.max=ae[1]}}}let A={},N=!1;for(let U in v){
 let H=v[U],J=b[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Ji(J.min):ae==4?Mh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
-J._max=ae==3?Ji(J.max):ae==4?Mh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){x.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
+J._max=ae==3?Ji(J.max):ae==4?Mh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){y.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
 null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Ph(Kt-1,0,qt-1),N=Ph(jt+1,0,qt-1);for(;v[A]==
-null&&A>0;)A--;for(;v[N]==null&&N<qt-1;)N++;return[A,N]}function ft(){if(qt>0){let v=x.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),x.forEach(
+null&&A>0;)A--;for(;v[N]==null&&N<qt-1;)N++;return[A,N]}function ft(){if(qt>0){let v=y.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),y.forEach(
 (A,N)=>{if(N>0&&A.show&&(Xt(N,!1),Xt(N,!0),A._paths==null)){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha);let H=s==2?[0,e[N][0].length-1]:Be(e[N]);A._paths=A.
-paths(n,N,H[0],H[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),x.forEach((A,N)=>{if(N>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(N,!1);
+paths(n,N,H[0],H[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),y.forEach((A,N)=>{if(N>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(N,!1);
 {let H=A._paths!=null?A._paths.gaps:null,J=A.points.show(n,N,Kt,jt,H),ae=A.points.filter(n,N,J,H);(J||ae)&&(A.points._paths=A.points.paths(n,N,Kt,jt,ae),Et(N,!0))}
-Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",N)}}),v&&(u.globalAlpha=Pe=1)}}function Xt(v,A){let N=A?x[v].points:x[v];N._stroke=N.stroke(n,v),N._fill=N.fill(n,v)}
-function Et(v,A){let N=A?x[v].points:x[v],{stroke:U,fill:H,clip:J,flags:ae,_stroke:fe=N._stroke,_fill:ve=N._fill,_width:Ne=N.width}=N._paths;Ne=Dt(Ne*wt,3);let De=null,
+Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",N)}}),v&&(u.globalAlpha=Pe=1)}}function Xt(v,A){let N=A?y[v].points:y[v];N._stroke=N.stroke(n,v),N._fill=N.fill(n,v)}
+function Et(v,A){let N=A?y[v].points:y[v],{stroke:U,fill:H,clip:J,flags:ae,_stroke:fe=N._stroke,_fill:ve=N._fill,_width:Ne=N.width}=N._paths;Ne=Dt(Ne*wt,3);let De=null,
 Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=L-Ne/2,bt=T-Ne/2,pt=$+Ne,Ye=he+Ne;De=new Path2D,De.rect(
 St,bt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
-ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=x[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Eo).band;Ms(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
+ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=y[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Eo).band;Ms(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
 bt.show&&Ye&&M_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Er|
 Nh;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
 H,ae),tn(v,J,A)):fe&Nh?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Er&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
 Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=ur=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
 Map?A.forEach((N,U)=>{u.fillStyle=_s=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=S[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
-U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Hx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
+U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Hx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;x==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,St,bt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,bt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=bt=v[Ye],
-u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),y==1&&u.translate(-De,-De)}function fr(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
+u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),x==1&&u.translate(-De,-De)}function fr(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
 min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
 if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,bt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
 N.values(n,N.filter(n,St,U,De,bt),U,De,bt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=ai(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
@@ -320,13 +322,13 @@ let A=!0;return mo.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),
 let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Dn=A.labelGap*fe,qn=un((A._lpos+Dn)*wt);Ie(A.labelFont[0],ae,"\
 center",N==2?"top":af),u.save(),U==1?(H=J=0,u.translate(qn,un(T+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(L+$/2),J=qn);let Xs=Jf(A.label)?A.label(n,v,ve,Ne):A.label;
 u.fillText(Xs,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Dn=>Wn[Dn]):St,pt=De.distr==2?Wn[St[1]]-
-Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=g(A._pos*wt),Xn=(Zt+
+Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=m(A._pos*wt),Xn=(Zt+
 vn)*fe,Nn=Jt+Xn;J=U==0?Nn:0,H=U==1?Nn:0;let si=A.font[0],fi=A.align==1?br:A.align==2?yh:It>0?br:It<0?yh:U==0?"center":N==3?yh:br,Ii=It||U==1?"middle":N==2?"top":
-af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Dn=>g(a(Dn,De,Fe,tt))),pi=A._values;for(let Dn=0;Dn<pi.length;Dn++){let qn=pi[Dn];if(qn!=null){U==0?H=ri[Dn]:
+af;Ie(si,ae,fi,Ii);let $n=A.font[1]*A.lineGap,ri=St.map(Dn=>m(a(Dn,De,Fe,tt))),pi=A._values;for(let Dn=0;Dn<pi.length;Dn++){let qn=pi[Dn];if(qn!=null){U==0?H=ri[Dn]:
 J=ri[Dn],qn=""+qn;let Xs=qn.indexOf("\n")==-1?[qn]:qn.split(/\n/gm);for(let Un=0;Un<Xs.length;Un++){let tf=Xs[Un];It?(u.save(),u.translate(H,J+Un*$n),u.rotate(It),
 u.fillText(tf,0,0),u.restore()):u.fillText(tf,H,J+Un*$n)}}}Ye.show&&nn(ri,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
 grid;Li.show&&nn(ri,Li.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
-2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){x.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
+2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){y.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
 max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,Ln=!1,Rt=[];function sn(){Ln=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
 Yt||(F_(Od),Yt=!0)}function Ea(v,A=!1){Yt=!0,Ln=A,v(n),Od(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Od(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,br,$e),zt(f,"top",it),zt(f,So,B),zt(f,wo,Re),zt(p,br,$e),zt(p,"top",it),zt(p,So,B),zt(p,wo,Re),zt(h,So,$t),zt(h,wo,en),d.width=un($t*wt),d.height=un(en*
@@ -340,24 +342,24 @@ ie&&(Ca(Bt),ie=!1),me&&te&&(Ws(null,!0,!1),te=!1),de.show&&de.live&&pe&&(fh(),pe
 A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==w&&N.distr==2&&qt>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
 A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=hh;let uh,dh,pr,mr,Bd,kd,gr,_r,zd,Vd,Ot,Ht,xs=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(uh=oi(o_,p)),ue.y&&(dh=oi(a_,p)),
 I.ori==0?(pr=uh,mr=dh):(pr=dh,mr=uh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),xr=Bt.show?oi(r_,Bt.over?
-p:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in mh&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function F0(v){if(x[v].show)ee&&
+p:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in mh&&zt(xr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function F0(v){if(y[v].show)ee&&
 Ch(nt[v],Ys);else if(ee&&Yn(nt[v],Ys),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function ys(v,A,N){hh(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
-null&&V0(v),A.show!=null&&x.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,F0(J),s==2?(ys(H.facets[0].scale,null,null),ys(H.facets[1].scale,null,null)):ys(
+null&&V0(v),A.show!=null&&y.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,F0(J),s==2?(ys(H.facets[0].scale,null,null),ys(H.facets[1].scale,null,null)):ys(
 H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&bo("setSeries",n,v,A)}n.setSeries=Ri;function O0(v,A){on(C[v],A)}function B0(v,A){v.fill=gt(v.fill||null),
-v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function k0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=B0,n.setBand=O0,n.delBand=k0;function z0(v,A){x[v].alpha=
-A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Zi,vs,Hs,yr={focus:!0};function V0(v){if(v!=Hs){let A=v==null,N=Oe.alpha!=1;x.
+v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function k0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=B0,n.setBand=O0,n.delBand=k0;function z0(v,A){y[v].alpha=
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Zi,vs,Hs,yr={focus:!0};function V0(v){if(v!=Hs){let A=v==null,N=Oe.alpha!=1;y.
 forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&z0(H,J?1:Oe.alpha)}}),Hs=v,N&&Tn()}}ee&&Je&&vt(uf,Ee,v=>{ue._lock||(Ze(v),Hs!=null&&Ri(null,
 yr,!0,rn.setSeries))});function Pi(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:$e));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
 H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?wr(10,ve):Ne==4?w_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function G0(v,A){let N=Pi(v,w,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
 v=>gi(v,e[0]),n.posToIdx=G0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
 Ws(null,A,N)};function Gd(v,A){zt(xr,br,Bt.left=v),zt(xr,So,Bt.width=A)}function Hd(v,A){zt(xr,"top",Bt.top=v),zt(xr,wo,Bt.height=A)}let xo=I.ori==0?Gd:Hd,yo=I.
-ori==1?Gd:Hd;function H0(){if(ee&&de.live)for(let v=s==2?1:0;v<x.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
-A[U]}}function fh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):C_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<x.length;N++)(N>0||
-s==1&&!lt)&&W0(N,se[N]);H0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=fh;function W0(v,A){let N=x[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
+ori==1?Gd:Hd;function H0(){if(ee&&de.live)for(let v=s==2?1:0;v<y.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
+A[U]}}function fh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):C_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<y.length;N++)(N>0||
+s==1&&!lt)&&W0(N,se[N]);H0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=fh;function W0(v,A){let N=y[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
 n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Ws(v,A,N){zd=Ot,Vd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(pr&&Ni(pr,un(Ot),0,
-B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Zi=Nt,vs=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<x.length;fe++){
+B,Re),mr&&Ni(mr,0,un(Ht),B,Re));let U,H=Kt>jt;Zi=Nt,vs=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<y.length;fe++){
 let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,yr,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
-fe,w),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<x.length;We++){let kt=x[We],Zt=se[We],
+fe,w),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<y.length;We++){let kt=y[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
 let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Nn=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let si=I.ori==
 1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Nn,si));if(fi<Zi){let Ii=Oe.bias;if(Ii!=0){let $n=Pi(si,kt.scale),ri=Jt>=0?1:-1,pi=$n>=0?1:-1;pi==ri&&(pi==1?Ii==1?Jt>=$n:Jt<=$n:Ii==
@@ -389,11 +391,11 @@ ve&&(Ot=Ot<gr?0:B),tt&&Ne&&(Ht=Ht<_r?0:Re),Ws(null,!0,!0),xs=!1}Ot=-10,Ht=-10,se
 v),_o(),gh(),v!=null&&bo(df,n,Ot,Ht,B,Re,null))}function jd(){S.forEach(Wx),O(n.width,n.height,!0)}Zs(Da,Sr,jd);let vr={};vr.mousedown=Zd,vr.mousemove=Wd,vr.mouseup=
 Jd,vr.dblclick=Kd,vr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(cf,p,Zd),vt(vh,p,Wd),vt(hf,p,v=>{Ze(v),vo(!1)}),vt(uf,p,X0),
 vt(df,p,Kd),Dh.add(n),n.syncRect=vo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){Ln?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
-[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[w,x[1]?
-x[1].scale:null],match:[wf,wf,Qd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Qd),ue.sync=rn;let ef=rn.key,_h=vp(ef);function bo(v,A,N,U,H,J,ae){
+[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let Qd=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Sf,sub:Sf},scales:[w,y[1]?
+y[1].scale:null],match:[wf,wf,Qd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Qd),ue.sync=rn;let ef=rn.key,_h=vp(ef);function bo(v,A,N,U,H,J,ae){
 rn.filters.pub(v,A,N,U,H,J,ae)&&_h.pub(v,A,N,U,H,J,ae)}_h.sub(n);function $0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&vr[v](null,A,N,U,H,J,ae)}n.pub=$0;function q0(){
 _h.unsub(n),Dh.delete(n),gn.clear(),Rh(Da,Sr,jd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=q0;function xh(){yn("init",i,e),go(e||i.data,!1),G[w]?hh(w,G[w]):
-_o(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return x.forEach(hr),S.forEach(Xi),t?t instanceof HTMLElement?(t.appendChild(c),xh()):t(
+_o(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return y.forEach(hr),S.forEach(Xi),t?t instanceof HTMLElement?(t.appendChild(c),xh()):t(
 n,xh):xh(),n}fn.assign=on;fn.fmtNum=Vh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=kh;fn.orient=Ks;fn.pxRatio=wt;fn.join=U_;fn.fmtDate=Hh,fn.tzDate=$_;fn.sync=vp;
 {fn.addGap=Cx,fn.clipGaps=Va;let i=fn.paths={points:Ap};i.linear=Cp,i.stepped=Ix,i.bars=Lx,i.spline=Dx}function ji(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
@@ -430,13 +432,13 @@ for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var ey=700,Kh=(i,e
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
-blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,y=S=>{n.style.clipPath="inset(0 0 0 ".concat(
+blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,x=S=>{n.style.clipPath="inset(0 0 0 ".concat(
 S,"%)"),r.style.left="".concat(S,"%"),r.hidden=S<=0||S>=100||p,o.hidden=S<=0||p,a.hidden=S>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
-ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},g=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},m=S=>{p=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{g(),m(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let S=f!==null;if(g(),m(!1),S)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},ey)}),
-h.addEventListener("click",()=>{g(),m(!p),y(Number(c.value))}),g(),m(!1),y(50);let x=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
-viewer"},l,x))}var Op={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Bp=Object.
+ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},g=S=>{p=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{m(),g(!1),x(Number(c.value))}),u.addEventListener("\
+click",()=>{let S=f!==null;if(m(),g(!1),S)return x(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),x(100),f=setInterval(()=>{b=!b,x(b?100:0)},ey)}),
+h.addEventListener("click",()=>{m(),g(!p),x(Number(c.value))}),m(),g(!1),x(50);let y=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
+viewer"},l,y))}var Op={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Bp=Object.
 keys(Op),Up={name:i=>i.dataset.name,verdict:i=>Bp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},ty=(i,e)=>i<
 e?-1:i>e?1:0;function ny(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*ty(Up[e](s),Up[e](r)));i.append(...n)}function iy(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
@@ -497,9 +499,9 @@ y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){retur
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
 x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},kn=class{constructor(e=0,t=0,n=0,s=1){
 this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],p=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==p){let g=l*h+c*f+d*p+u*y;g<0&&(h=-h,f=-f,p=-p,y=-y,g=-g);let m=1-a;if(g<.9995){let x=Math.acos(g),S=Math.sin(x);m=Math.sin(
-m*x)/S,a=Math.sin(a*x)/S,l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a}else{l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+y*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,
-u*=x}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
+x=r[o+3];if(u!==x||l!==h||c!==f||d!==p){let m=l*h+c*f+d*p+u*x;m<0&&(h=-h,f=-f,p=-p,x=-x,m=-m);let g=1-a;if(m<.9995){let y=Math.acos(m),S=Math.sin(y);g=Math.sin(
+g*y)/S,a=Math.sin(a*y)/S,l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+x*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+p*a,u=u*g+x*a;let y=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=y,c*=y,d*=y,
+u*=y}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return e[t]=
 a*p+d*u+l*f-c*h,e[t+1]=l*p+d*h+c*u-a*f,e[t+2]=c*p+d*f+a*h-l*u,e[t+3]=d*p-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
 _w=e,this._onChangeCallback()}set(e,t,n,s){return this._x=e,this._y=t,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this.
@@ -573,12 +575,12 @@ let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],y=s[0],g=s[3],m=s[6],x=s[1],S=s[4],b=s[7],C=s[2],w=s[5],_=s[8];return r[0]=
-o*y+a*x+l*C,r[3]=o*g+a*S+l*w,r[6]=o*m+a*b+l*_,r[1]=c*y+d*x+u*C,r[4]=c*g+d*S+u*w,r[7]=c*m+d*b+u*_,r[2]=h*y+f*x+p*C,r[5]=h*g+f*S+p*w,r[8]=h*m+f*b+p*_,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],p=n[8],x=s[0],m=s[3],g=s[6],y=s[1],S=s[4],b=s[7],C=s[2],w=s[5],_=s[8];return r[0]=
+o*x+a*y+l*C,r[3]=o*m+a*S+l*w,r[6]=o*g+a*b+l*_,r[1]=c*x+d*y+u*C,r[4]=c*m+d*S+u*w,r[7]=c*g+d*b+u*_,r[2]=h*x+f*y+p*C,r[5]=h*m+f*S+p*w,r[8]=h*g+f*b+p*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
-d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
-h*y,e[4]=(d*t-s*l)*y,e[5]=(s*r-a*t)*y,e[6]=f*y,e[7]=(n*l-c*t)*y,e[8]=(o*t-n*r)*y,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=
+d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=t*u+n*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let x=1/p;return e[0]=u*x,e[1]=(s*c-d*n)*x,e[2]=(a*n-s*o)*x,e[3]=
+h*x,e[4]=(d*t-s*l)*x,e[5]=(s*r-a*t)*x,e[6]=f*x,e[7]=(n*l-c*t)*x,e[8]=(o*t-n*r)*x,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=
 t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=
 t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.
 set(n*l,n*c,-n*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return Oo("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(
@@ -653,11 +655,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],y=l[2],g=l[6],m=l[10];if(Math.abs(
-d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(p-g)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(p+g)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let S=(c+1)/2,b=(f+1)/2,C=(m+1)/2,w=(d+h)/4,_=(u+y)/4,M=(p+g)/4;return S>b&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=w/n,r=_/n):b>C?b<.01?
-(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=w/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let x=Math.
-sqrt((g-p)*(g-p)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(g-p)/x,this.y=(u-y)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(e){
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],x=l[2],m=l[6],g=l[10];if(Math.abs(
+d-h)<.01&&Math.abs(u-x)<.01&&Math.abs(p-m)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+x)<.1&&Math.abs(p+m)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let S=(c+1)/2,b=(f+1)/2,C=(g+1)/2,w=(d+h)/4,_=(u+x)/4,M=(p+m)/4;return S>b&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=w/n,r=_/n):b>C?b<.01?
+(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=w/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=_/r,s=M/r),this.set(n,s,r,t),this}let y=Math.
+sqrt((m-p)*(m-p)+(u-x)*(u-x)+(h-d)*(h-d));return Math.abs(y)<.001&&(y=1),this.x=(m-p)/y,this.y=(u-x)/y,this.z=(h-d)/y,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=at(this.x,e.x,t.x),this.y=at(this.y,e.y,t.y),this.z=at(this.z,e.z,t.z),this.w=at(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -701,9 +703,9 @@ e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=
 !0}},Go=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
 minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
 this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var Il=class extends Gn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Mn,this.
-minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,y,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=
-c,m[6]=d,m[10]=u,m[14]=h,m[3]=f,m[7]=p,m[11]=y,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+minFilter=Mn,this.wrapR=Oi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var xt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,d,u,h,f,p,x,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,x,m)}set(e,t,n,s,r,o,a,l,c,d,u,h,f,p,x,m){let g=this.elements;return g[0]=e,g[4]=t,g[8]=n,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=l,g[2]=
+c,g[6]=d,g[10]=u,g[14]=h,g[3]=f,g[7]=p,g[11]=x,g[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
@@ -712,29 +714,29 @@ return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractR
 n=e.elements,s=1/Lr.setFromMatrixColumn(e,0).length(),r=1/Lr.setFromMatrixColumn(e,1).length(),o=1/Lr.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=
 n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){
 let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(s),c=Math.sin(s),d=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let h=o*d,f=o*u,p=a*
-d,y=a*u;t[0]=l*d,t[4]=-l*u,t[8]=c,t[1]=f+p*c,t[5]=h-y*c,t[9]=-a*l,t[2]=y-h*c,t[6]=p+f*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*d,f=l*u,p=c*d,y=c*u;t[0]=h+y*
-a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=y+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*d,f=l*u,p=c*d,y=c*u;t[0]=h-y*a,t[4]=-o*u,t[8]=p+
-f*a,t[1]=f+p*a,t[5]=o*d,t[9]=y-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,y=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+y,t[1]=l*u,t[5]=
-y*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=y-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
-d,t[6]=f*u+p,t[10]=h-y*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,y=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+y,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
-y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(dy,e,fy)}lookAt(e,t,n){let s=this.elements;
+d,x=a*u;t[0]=l*d,t[4]=-l*u,t[8]=c,t[1]=f+p*c,t[5]=h-x*c,t[9]=-a*l,t[2]=x-h*c,t[6]=p+f*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*d,f=l*u,p=c*d,x=c*u;t[0]=h+x*
+a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=x+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*d,f=l*u,p=c*d,x=c*u;t[0]=h-x*a,t[4]=-o*u,t[8]=p+
+f*a,t[1]=f+p*a,t[5]=o*d,t[9]=x-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,x=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+x,t[1]=l*u,t[5]=
+x*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,x=a*c;t[0]=l*d,t[4]=x-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
+d,t[6]=f*u+p,t[10]=h-x*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,x=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+x,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
+x*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(dy,e,fy)}lookAt(e,t,n){let s=this.elements;
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),ws.crossVectors(n,Kn),ws.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
 ws.crossVectors(n,Kn)),ws.normalize(),$a.crossVectors(Kn,ws),s[0]=ws.x,s[4]=$a.x,s[8]=Kn.x,s[1]=ws.y,s[5]=$a.y,s[9]=Kn.y,s[2]=ws.z,s[6]=$a.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],y=n[6],g=n[10],m=n[14],x=n[3],S=n[7],b=n[11],C=n[15],w=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],p=n[2],x=n[6],m=n[10],g=n[14],y=n[3],S=n[7],b=n[11],C=n[15],w=s[0],_=s[4],M=s[8],R=s[12],P=s[1],I=s[5],F=s[9],
 z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*w+a*P+l*D+c*ce,r[4]=o*_+a*I+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*R+a*z+l*W+c*
-se,r[1]=d*w+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*w+y*P+g*D+m*ce,r[6]=p*_+y*I+g*G+m*K,r[10]=p*M+y*F+g*Y+m*Q,r[14]=
-p*R+y*z+g*W+m*se,r[3]=x*w+S*P+b*D+C*ce,r[7]=x*_+S*I+b*G+C*K,r[11]=x*M+S*F+b*Y+C*Q,r[15]=x*R+S*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+se,r[1]=d*w+u*P+h*D+f*ce,r[5]=d*_+u*I+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*R+u*z+h*W+f*se,r[2]=p*w+x*P+m*D+g*ce,r[6]=p*_+x*I+m*G+g*K,r[10]=p*M+x*F+m*Y+g*Q,r[14]=
+p*R+x*z+m*W+g*se,r[3]=y*w+S*P+b*D+C*ce,r[7]=y*_+S*I+b*G+C*K,r[11]=y*M+S*F+b*Y+C*Q,r[15]=y*R+S*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],y=e[7],g=e[11],m=e[15],x=l*f-c*h,S=a*f-c*u,b=a*h-l*u,C=o*f-c*d,w=o*
-h-l*d,_=o*u-a*d;return t*(y*x-g*S+m*b)-n*(p*x-g*C+m*w)+s*(p*S-y*C+m*_)-r*(p*b-y*w+g*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],p=e[3],x=e[7],m=e[11],g=e[15],y=l*f-c*h,S=a*f-c*u,b=a*h-l*u,C=o*f-c*d,w=o*
+h-l*d,_=o*u-a*d;return t*(x*y-m*S+g*b)-n*(p*y-m*C+g*w)+s*(p*S-x*C+g*_)-r*(p*b-x*w+m*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],p=e[12],y=e[13],g=e[14],m=e[15],x=t*a-n*o,S=t*l-s*o,b=t*c-r*o,C=n*l-s*a,w=n*c-r*a,_=s*c-r*l,M=d*y-u*p,R=d*g-h*p,P=d*m-f*p,I=u*g-h*y,F=u*m-f*y,z=h*
-m-f*g,D=x*z-S*F+b*I+C*P-w*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(y*_-g*
-w+m*C)*G,e[3]=(h*w-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(g*b-p*_-m*S)*G,e[7]=(d*_-h*b+f*S)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
-(p*w-y*b+m*x)*G,e[11]=(u*b-d*w-f*x)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(y*S-p*C-g*x)*G,e[15]=(d*C-u*S+h*x)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],p=e[12],x=e[13],m=e[14],g=e[15],y=t*a-n*o,S=t*l-s*o,b=t*c-r*o,C=n*l-s*a,w=n*c-r*a,_=s*c-r*l,M=d*x-u*p,R=d*m-h*p,P=d*g-f*p,I=u*m-h*x,F=u*g-f*x,z=h*
+g-f*m,D=y*z-S*F+b*I+C*P-w*R+_*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*I)*G,e[1]=(s*F-n*z-r*I)*G,e[2]=(x*_-m*
+w+g*C)*G,e[3]=(h*w-u*_-f*C)*G,e[4]=(l*P-o*z-c*R)*G,e[5]=(t*z-s*P+r*R)*G,e[6]=(m*b-p*_-g*S)*G,e[7]=(d*_-h*b+f*S)*G,e[8]=(o*F-a*P+c*M)*G,e[9]=(n*P-t*F-r*M)*G,e[10]=
+(p*w-x*b+g*y)*G,e[11]=(u*b-d*w-f*y)*G,e[12]=(a*R-o*I-l*M)*G,e[13]=(t*I-n*R+s*M)*G,e[14]=(x*S-p*C-m*y)*G,e[15]=(d*C-u*S+h*y)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -742,17 +744,17 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,y=o*d,g=o*u,m=a*u,x=l*c,S=l*d,b=l*u,C=n.x,w=n.y,_=n.z;return s[0]=(1-(y+m))*C,s[1]=(f+b)*C,s[2]=(p-S)*C,s[3]=0,s[4]=(f-
-b)*w,s[5]=(1-(h+m))*w,s[6]=(g+x)*w,s[7]=0,s[8]=(p+S)*_,s[9]=(g-x)*_,s[10]=(1-(h+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,x=o*d,m=o*u,g=a*u,y=l*c,S=l*d,b=l*u,C=n.x,w=n.y,_=n.z;return s[0]=(1-(x+g))*C,s[1]=(f+b)*C,s[2]=(p-S)*C,s[3]=0,s[4]=(f-
+b)*w,s[5]=(1-(h+g))*w,s[6]=(m+y)*w,s[7]=0,s[8]=(p+S)*_,s[9]=(m-y)*_,s[10]=(1-(h+x))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Lr.set(s[0],s[1],s[2]).length(),a=Lr.
 set(s[4],s[5],s[6]).length(),l=Lr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=ci,l=!1){
-let c=this.elements,d=2*r/(t-e),u=2*r/(n-s),h=(t+e)/(t-e),f=(n+s)/(n-s),p,y;if(l)p=r/(o-r),y=o*r/(o-r);else if(a===ci)p=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===
-Zr)p=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
-u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=y,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=ci,l=!1){let c=this.elements,d=2/(t-e),u=2/(n-
-s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===ci)p=-2/(o-r),y=-(o+r)/(o-r);else if(a===Zr)p=-1/(o-r),y=-r/(o-r);else throw new Error(
+let c=this.elements,d=2*r/(t-e),u=2*r/(n-s),h=(t+e)/(t-e),f=(n+s)/(n-s),p,x;if(l)p=r/(o-r),x=o*r/(o-r);else if(a===ci)p=-(o+r)/(o-r),x=-2*o*r/(o-r);else if(a===
+Zr)p=-o/(o-r),x=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
+u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=x,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=ci,l=!1){let c=this.elements,d=2/(t-e),u=2/(n-
+s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,x;if(l)p=1/(o-r),x=o/(o-r);else if(a===ci)p=-2/(o-r),x=-(o+r)/(o-r);else if(a===Zr)p=-1/(o-r),x=-r/(o-r);else throw new Error(
 "THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
-y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
+x,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
 6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Lr=new V,xi=new xt,dy=new V(
 0,0,0),fy=new V(1,1,1),ws=new V,$a=new V,Kn=new V,Wp=new xt,Xp=new kn,os=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
@@ -852,9 +854,9 @@ null&&(this._grip=new Vn,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,th
 _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let n of e.hand.
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
-r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){
-let g=t.getJointPose(y,n),m=this._getHandJoint(c,y);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
-!0,m.jointRadius=g.radius),m.visible=g!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
+r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let x of e.hand.values()){
+let m=t.getJointPose(x,n),g=this._getHandJoint(c,x);m!==null&&(g.matrix.fromArray(m.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=
+!0,g.jointRadius=m.radius),g.visible=m!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.
 pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.
 pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
 fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
@@ -934,9 +936,9 @@ setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBaryco
 e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){
 return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,n),Fr.subVectors(r,n),au.subVectors(e,n);let l=Ur.
 dot(au),c=Fr.dot(au);if(l<=0&&c<=0)return t.copy(n);lu.subVectors(e,s);let d=Ur.dot(lu),u=Fr.dot(lu);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
-d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);cu.subVectors(e,r);let f=Ur.dot(cu),p=Fr.dot(cu);if(p>=0&&f<=p)return t.copy(r);let y=f*c-l*p;if(y<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let g=d*p-f*u;if(g<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-Kp,a);let m=1/(g+y+h);return o=y*m,a=h*m,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Ur,o);cu.subVectors(e,r);let f=Ur.dot(cu),p=Fr.dot(cu);if(p>=0&&f<=p)return t.copy(r);let x=f*c-l*p;if(x<=
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Fr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Kp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Kp,a);let g=1/(m+x+h);return o=x*g,a=h*g,t.copy(n).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},ki=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(vi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(vi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -1037,21 +1039,21 @@ Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "positio
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new bi(new Float32Array(
 4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let R=0;R<n.count;R++)a[R]=new V,l[R]=new V;let d=new V,u=new V,h=new V,
-f=new st,p=new st,y=new st,g=new V,m=new V;function x(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
-fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),y.sub(f);let F=1/(p.x*y.y-y.x*p.y);isFinite(F)&&(g.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-p.y).multiplyScalar(F),m.copy(h).multiplyScalar(p.x).addScaledVector(u,-y.x).multiplyScalar(F),a[R].add(g),a[P].add(g),
-a[I].add(g),l[R].add(m),l[P].add(m),l[I].add(m))}let S=this.groups;S.length===0&&(S=[{start:0,count:e.count}]);for(let R=0,P=S.length;R<P;++R){let I=S[R],F=I.start,
-z=I.count;for(let D=F,G=F+z;D<G;D+=3)x(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,w=new V,_=new V;function M(R){w.fromBufferAttribute(s,R),_.copy(
+f=new st,p=new st,x=new st,m=new V,g=new V;function y(R,P,I){c[R]=c[P]=c[I]=1,d.fromBufferAttribute(n,R),u.fromBufferAttribute(n,P),h.fromBufferAttribute(n,I),f.
+fromBufferAttribute(r,R),p.fromBufferAttribute(r,P),x.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),x.sub(f);let F=1/(p.x*x.y-x.x*p.y);isFinite(F)&&(m.copy(
+u).multiplyScalar(x.y).addScaledVector(h,-p.y).multiplyScalar(F),g.copy(h).multiplyScalar(p.x).addScaledVector(u,-x.x).multiplyScalar(F),a[R].add(m),a[P].add(m),
+a[I].add(m),l[R].add(g),l[P].add(g),l[I].add(g))}let S=this.groups;S.length===0&&(S=[{start:0,count:e.count}]);for(let R=0,P=S.length;R<P;++R){let I=S[R],F=I.start,
+z=I.count;for(let D=F,G=F+z;D<G;D+=3)y(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,w=new V,_=new V;function M(R){w.fromBufferAttribute(s,R),_.copy(
 w);let P=a[R];b.copy(P),b.sub(w.multiplyScalar(w.dot(P))).normalize(),C.crossVectors(_,P);let F=C.dot(l[R])<0?-1:1;o.setXYZW(R,b.x,b.y,b.z,F)}for(let R=0,P=n.count;R<
 P;++R)c[R]&&M(R);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new bi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
-r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),y=e.getX(h+1),g=e.getX(h+2);s.fromBufferAttribute(
-t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,g),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,y),
-c.fromBufferAttribute(n,g),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(y,l.x,l.y,l.z),n.setXYZ(g,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
+r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let p=e.getX(h+0),x=e.getX(h+1),m=e.getX(h+2);s.fromBufferAttribute(
+t,p),r.fromBufferAttribute(t,x),o.fromBufferAttribute(t,m),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,p),l.fromBufferAttribute(n,x),
+c.fromBufferAttribute(n,m),a.add(d),l.add(d),c.add(d),n.setXYZ(p,a.x,a.y,a.z),n.setXYZ(x,l.x,l.y,l.z),n.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,f=t.count;h<f;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),n.setXYZ(h+0,d.x,d.y,d.z),
 n.setXYZ(h+1,d.x,d.y,d.z),n.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
 n;t++)bn.fromBufferAttribute(e,t),bn.normalize(),e.setXYZ(t,bn.x,bn.y,bn.z)}toNonIndexed(){function e(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(
-l.length*d),f=0,p=0;for(let y=0,g=l.length;y<g;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*d;for(let m=0;m<d;m++)h[p++]=c[f++]}return new bi(
+l.length*d),f=0,p=0;for(let x=0,m=l.length;x<m;x++){a.isInterleavedBufferAttribute?f=l[x]*a.data.stride+a.offset:f=l[x]*d;for(let g=0;g<d;g++)h[p++]=c[f++]}return new bi(
 h,d,u)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
 for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=e(
 h,n);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
@@ -1206,7 +1208,7 @@ origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.o
 distanceSqToPoint(e))}distanceSqToPoint(e){let t=is.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(is.copy(this.origin).
 addScaledVector(this.direction,t),is.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){_u.copy(e).add(t).multiplyScalar(.5),Qa.copy(t).sub(e).normalize(),el.copy(
 this.origin).sub(_u);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Qa),a=el.dot(this.direction),l=-el.dot(Qa),c=el.lengthSq(),d=Math.abs(1-o*o),u,h,f,p;if(d>0)
-if(u=o*l-a,h=o*a-l,p=r*d,u>=0)if(h>=-p)if(h<=p){let y=1/d;u*=y,h*=y,f=u*(u+o*h+2*a)+h*(o*u+h+2*l)+c}else h=r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h=-r,
+if(u=o*l-a,h=o*a-l,p=r*d,u>=0)if(h>=-p)if(h<=p){let x=1/d;u*=x,h*=x,f=u*(u+o*h+2*a)+h*(o*u+h+2*l)+c}else h=r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h=-r,
 u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h<=-p?(u=Math.max(0,-(-o*r+a)),h=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c):h<=p?(u=0,h=Math.min(Math.
 max(-r,-l),r),f=h*(h+2*l)+c):(u=Math.max(0,-(o*r+a)),h=u>0?r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c);else h=o>0?-r:r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+
 2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(_u).addScaledVector(Qa,h),f}intersectSphere(e,t){if(e.radius<0)return null;is.subVectors(
@@ -1218,9 +1220,9 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,is)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,p=t.x-o.x,
-y=t.y-o.y,g=t.z-o.z,m=n.x-o.x,x=n.y-o.y,S=n.z-o.z,b=Math.abs(l),C=Math.abs(c),w=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=w?(R=l,F=u,G=p,ce=m,l>=0?(_=c,M=
-d,P=h,I=f,z=y,D=g,Y=x,W=S):(_=d,M=c,P=f,I=h,z=g,D=y,Y=S,W=x)):C>=w?(R=c,F=h,G=y,ce=x,c>=0?(_=d,M=l,P=f,I=u,z=g,D=p,Y=S,W=m):(_=l,M=d,P=u,I=f,z=p,D=g,Y=m,W=S)):(R=
-d,F=f,G=g,ce=S,d>=0?(_=l,M=c,P=u,I=h,z=p,D=y,Y=m,W=x):(_=c,M=l,P=h,I=u,z=y,D=p,Y=x,W=m)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
+x=t.y-o.y,m=t.z-o.z,g=n.x-o.x,y=n.y-o.y,S=n.z-o.z,b=Math.abs(l),C=Math.abs(c),w=Math.abs(d),_,M,R,P,I,F,z,D,G,Y,W,ce;if(b>=C&&b>=w?(R=l,F=u,G=p,ce=g,l>=0?(_=c,M=
+d,P=h,I=f,z=x,D=m,Y=y,W=S):(_=d,M=c,P=f,I=h,z=m,D=x,Y=S,W=y)):C>=w?(R=c,F=h,G=x,ce=y,c>=0?(_=d,M=l,P=f,I=u,z=m,D=p,Y=S,W=g):(_=l,M=d,P=u,I=f,z=p,D=m,Y=g,W=S)):(R=
+d,F=f,G=m,ce=S,d>=0?(_=l,M=c,P=u,I=h,z=p,D=x,Y=g,W=y):(_=c,M=l,P=h,I=u,z=x,D=p,Y=y,W=g)),R===0)return null;let K=_/R,Q=M/R,se=1/R,de=P-K*F,ue=I-Q*F,ee=z-K*G,me=D-
 Q*G,xe=Y-K*ce,Ee=W-Q*ce,Me=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(Me<0||He<0||nt<0)return null}else if((Me<0||He<0||nt<0)&&(Me>0||He>0||nt>0))return null;
 let Ve=Me+He+nt;if(Ve===0)return null;let ut=se*(Me*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
@@ -1243,14 +1245,14 @@ t.add(rl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(
 null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),er.copy(e.ray).recast(e.near),!(tl.containsPoint(er.origin)===!1&&(er.intersectSphere(
 tl,Qp)===null||er.origin.distanceToSquared(Qp)>(e.far-e.near)**2))&&(jp.copy(r).invert(),er.copy(e.ray).applyMatrix4(jp),!(n.boundingBox!==null&&er.intersectsBox(
 n.boundingBox)===!1)&&this._computeIntersections(e,t,er)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.
-materialIndex],x=Math.max(g.start,f.start),S=Math.min(a.count,Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=S;b<C;b+=3){let w=a.getX(b),_=a.getX(b+1),
-M=a.getX(b+2);s=al(this,m,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=a.getX(g),S=a.getX(g+1),b=a.getX(g+2);s=al(this,o,e,n,c,d,u,x,S,b),s&&(s.faceIndex=Math.floor(g/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=h.length;p<y;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),S=Math.min(l.count,
-Math.min(g.start+g.count,f.start+f.count));for(let b=x,C=S;b<C;b+=3){let w=b,_=b+1,M=b+2;s=al(this,m,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
-g.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let g=p,m=y;g<m;g+=3){let x=g,S=g+1,b=g+2;s=al(this,o,e,n,c,d,
-u,x,S,b),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,x=h.length;p<x;p++){let m=h[p],g=o[m.
+materialIndex],y=Math.max(m.start,f.start),S=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=y,C=S;b<C;b+=3){let w=a.getX(b),_=a.getX(b+1),
+M=a.getX(b+2);s=al(this,g,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),x=Math.
+min(a.count,f.start+f.count);for(let m=p,g=x;m<g;m+=3){let y=a.getX(m),S=a.getX(m+1),b=a.getX(m+2);s=al(this,o,e,n,c,d,u,y,S,b),s&&(s.faceIndex=Math.floor(m/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,x=h.length;p<x;p++){let m=h[p],g=o[m.materialIndex],y=Math.max(m.start,f.start),S=Math.min(l.count,
+Math.min(m.start+m.count,f.start+f.count));for(let b=y,C=S;b<C;b+=3){let w=b,_=b+1,M=b+2;s=al(this,g,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
+m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),x=Math.min(l.count,f.start+f.count);for(let m=p,g=x;m<g;m+=3){let y=m,S=m+1,b=m+2;s=al(this,o,e,n,c,d,
+u,y,S,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Ty(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===Os,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
 point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=Ty(i,e,t,n,nl,il,
 sl,em);if(d){let u=new V;Fi.getBarycoord(em,nl,il,sl,u),s&&(d.uv=Fi.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Fi.getInterpolatedAttribute(r,a,l,c,u,
@@ -1277,10 +1279,10 @@ source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morp
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
 morphTexture=null)}},tr=new as,Ey=new st(.5,.5),cl=new V,Ps=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
-e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],y=r[9],
-g=r[10],m=r[11],x=r[12],S=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,m-p,C-x).normalize(),s[1].setComponents(c+o,f+d,m+p,C+x).normalize(),s[2].setComponents(
-c+a,f+u,m+y,C+S).normalize(),s[3].setComponents(c-a,f-u,m-y,C-S).normalize(),n)s[4].setComponents(l,h,g,b).normalize(),s[5].setComponents(c-l,f-h,m-g,C-b).normalize();else if(s[4].
-setComponents(c-l,f-h,m-g,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,m+g,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,g,b).normalize();else throw new Error(
+e.planes[n]);return this}setFromProjectionMatrix(e,t=ci,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],x=r[9],
+m=r[10],g=r[11],y=r[12],S=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-y).normalize(),s[1].setComponents(c+o,f+d,g+p,C+y).normalize(),s[2].setComponents(
+c+a,f+u,g+x,C+S).normalize(),s[3].setComponents(c-a,f-u,g-x,C-S).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
+setComponents(c-l,f-h,g-m,C-b).normalize(),t===ci)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Zr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),tr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),tr.copy(
 t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(tr)}intersectsSprite(e){tr.center.set(0,0,0);let t=Ey.distanceTo(e.center);return tr.
@@ -1305,10 +1307,10 @@ count;s<r;s++)Nl.fromBufferAttribute(t,s-1),Dl.fromBufferAttribute(t,s),n[s]=n[s
 Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.
 applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;sm.copy(s).invert(),Fo.copy(e.ray).applyMatrix4(sm);let a=r/((this.scale.x+this.scale.y+this.
-scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let y=f,
-g=p-1;y<g;y+=c){let m=d.getX(y),x=d.getX(y+1),S=ul(this,e,Fo,l,m,x,y);S&&t.push(S)}if(this.isLineLoop){let y=d.getX(p-1),g=d.getX(f),m=ul(this,e,Fo,l,y,g,p-1);m&&
-t.push(m)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let y=f,g=p-1;y<g;y+=c){let m=ul(this,e,Fo,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){
-let y=ul(this,e,Fo,l,p-1,f,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
+scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let x=f,
+m=p-1;x<m;x+=c){let g=d.getX(x),y=d.getX(x+1),S=ul(this,e,Fo,l,g,y,x);S&&t.push(S)}if(this.isLineLoop){let x=d.getX(p-1),m=d.getX(f),g=ul(this,e,Fo,l,x,m,p-1);g&&
+t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let x=f,m=p-1;x<m;x+=c){let g=ul(this,e,Fo,l,x,x+1,x);g&&t.push(g)}if(this.isLineLoop){
+let x=ul(this,e,Fo,l,p-1,f,p-1);x&&t.push(x)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function ul(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Nl.fromBufferAttribute(a,s),Dl.fromBufferAttribute(a,r),t.distanceSqToSegment(Nl,Dl,yu,
 rm)>n)return;yu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(yu);if(!(c<e.near||c>e.far))return{distance:c,point:rm.clone().applyMatrix4(i.matrixWorld),
@@ -1325,55 +1327,55 @@ Jo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExte
 Ls=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,n,t,e,o,r,0),p("z","y","x",1,-1,
 n,t,-e,o,r,1),p("x","z","y",1,1,e,n,t,s,o,2),p("x","z","y",1,-1,e,n,-t,s,o,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(y,g,m,x,S,b,C,w,_,M,R){let P=b/
-_,I=C/M,F=b/2,z=C/2,D=w/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[y]=ue*x,K[g]=se*S,K[m]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[g]=0,K[m]=w>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function p(x,m,g,y,S,b,C,w,_,M,R){let P=b/
+_,I=C/M,F=b/2,z=C/2,D=w/2,G=_+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<G;de++){let ue=de*P-F;K[x]=ue*y,K[m]=se*S,K[g]=D,c.push(
+K.x,K.y,K.z),K[x]=0,K[m]=0,K[g]=w>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/_),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<_;se++){let de=h+se+G*Q,ue=h+se+
 G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,R),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Ko=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
-n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,y=s+1,g=new V,m=new V;for(let x=0;x<=
-p;x++){let S=0,b=0,C=0,w=0;if(x<=n){let R=x/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),w=-e*Math.cos(P),S=R*u}else if(x<=n+r){let R=(x-n)/r;b=-d+R*t,C=e,
-w=0,S=u+R*h}else{let R=(x-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),w=e*Math.sin(P),S=u+h+R*u}let _=Math.max(0,Math.min(1,S/f)),M=0;x===0?M=.5/s:x===
-p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);m.x=-C*z,m.y=b,m.z=C*F,a.push(m.x,m.y,m.z),g.set(-C*z,w,C*F),g.normalize(),
-l.push(g.x,g.y,g.z),c.push(P+M,_)}if(x>0){let R=(x-1)*y;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=x*y+P,D=x*y+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
+n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,p=n*2+r,x=s+1,m=new V,g=new V;for(let y=0;y<=
+p;y++){let S=0,b=0,C=0,w=0;if(y<=n){let R=y/n,P=R*Math.PI/2;b=-d-e*Math.cos(P),C=e*Math.sin(P),w=-e*Math.cos(P),S=R*u}else if(y<=n+r){let R=(y-n)/r;b=-d+R*t,C=e,
+w=0,S=u+R*h}else{let R=(y-n-r)/n,P=R*Math.PI/2;b=d+e*Math.sin(P),C=e*Math.cos(P),w=e*Math.sin(P),S=u+h+R*u}let _=Math.max(0,Math.min(1,S/f)),M=0;y===0?M=.5/s:y===
+p&&(M=-.5/s);for(let R=0;R<=s;R++){let P=R/s,I=P*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),m.set(-C*z,w,C*F),m.normalize(),
+l.push(m.x,m.y,m.z),c.push(P+M,_)}if(y>0){let R=(y-1)*x;for(let P=0;P<s;P++){let I=R+P,F=R+P+1,z=y*x+P,D=y*x+P+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ns=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
-height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,y=[],g=n/
-2,m=0;x(),o===!1&&(e>0&&S(!0),t>0&&S(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
-uv",new yt(f,2));function x(){let b=new V,C=new V,w=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+g,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}y.push(R)}for(let M=0;M<
-s;M++)for(let R=0;R<r;R++){let P=y[R][M],I=y[R+1][M],F=y[R+1][M+1],z=y[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),w+=3),(t>0||R!==r-1)&&(d.push(I,F,z),w+=3)}c.addGroup(
-m,w,0),m+=w}function S(b){let C=p,w=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,g*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
-s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=g*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),w.x=G*.5+.5,w.y=Y*.5*P+.5,f.push(w.x,w.y),p++}for(let F=0;F<
-s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(m,M,b===!0?1:2),m+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,x=[],m=n/
+2,g=0;y(),o===!1&&(e>0&&S(!0),t>0&&S(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+uv",new yt(f,2));function y(){let b=new V,C=new V,w=0,_=(t-e)/n;for(let M=0;M<=r;M++){let R=[],P=M/r,I=P*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
+sin(D),Y=Math.cos(D);C.x=I*G,C.y=-P*n+m,C.z=I*Y,u.push(C.x,C.y,C.z),b.set(G,_,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-P),R.push(p++)}x.push(R)}for(let M=0;M<
+s;M++)for(let R=0;R<r;R++){let P=x[R][M],I=x[R+1][M],F=x[R+1][M+1],z=x[R][M+1];(e>0||R!==0)&&(d.push(P,I,z),w+=3),(t>0||R!==r-1)&&(d.push(I,F,z),w+=3)}c.addGroup(
+g,w,0),g+=w}function S(b){let C=p,w=new st,_=new V,M=0,R=b===!0?e:t,P=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,m*P,0),h.push(0,P,0),f.push(.5,.5),p++;let I=p;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);_.x=R*Y,_.y=m*P,_.z=R*G,u.push(_.x,_.y,_.z),h.push(0,P,0),w.x=G*.5+.5,w.y=Y*.5*P+.5,f.push(w.x,w.y),p++}for(let F=0;F<
+s;F++){let z=C+F,D=I+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
 jo=class i extends Ns{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
 e.thetaLength)}},Fl=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
 let r=[],o=[];a(s),c(n),d(),this.setAttribute("position",new yt(r,3)),this.setAttribute("normal",new yt(r.slice(),3)),this.setAttribute("uv",new yt(o,2)),s===0?
-this.computeVertexNormals():this.normalizeNormals();function a(x){let S=new V,b=new V,C=new V;for(let w=0;w<t.length;w+=3)f(t[w+0],S),f(t[w+1],b),f(t[w+2],C),l(
-S,b,C,x)}function l(x,S,b,C){let w=C+1,_=[];for(let M=0;M<=w;M++){_[M]=[];let R=x.clone().lerp(b,M/w),P=S.clone().lerp(b,M/w),I=w-M;for(let F=0;F<=I;F++)F===0&&
+this.computeVertexNormals():this.normalizeNormals();function a(y){let S=new V,b=new V,C=new V;for(let w=0;w<t.length;w+=3)f(t[w+0],S),f(t[w+1],b),f(t[w+2],C),l(
+S,b,C,y)}function l(y,S,b,C){let w=C+1,_=[];for(let M=0;M<=w;M++){_[M]=[];let R=y.clone().lerp(b,M/w),P=S.clone().lerp(b,M/w),I=w-M;for(let F=0;F<=I;F++)F===0&&
 M===w?_[M][F]=R:_[M][F]=R.clone().lerp(P,F/I)}for(let M=0;M<w;M++)for(let R=0;R<2*(w-M)-1;R++){let P=Math.floor(R/2);R%2===0?(h(_[M][P+1]),h(_[M+1][P]),h(_[M][P])):
-(h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(x){let S=new V;for(let b=0;b<r.length;b+=3)S.x=r[b+0],S.y=r[b+1],S.z=r[b+2],S.normalize().multiplyScalar(
-x),r[b+0]=S.x,r[b+1]=S.y,r[b+2]=S.z}function d(){let x=new V;for(let S=0;S<r.length;S+=3){x.x=r[S+0],x.y=r[S+1],x.z=r[S+2];let b=g(x)/2/Math.PI+.5,C=m(x)/Math.PI+
-.5;o.push(b,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let S=o[x+0],b=o[x+2],C=o[x+4],w=Math.max(S,b,C),_=Math.min(S,b,C);w>.9&&_<.1&&(S<.2&&(o[x+0]+=
-1),b<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,S){let b=x*3;S.x=e[b+0],S.y=e[b+1],S.z=e[b+2]}function p(){let x=new V,S=new V,
-b=new V,C=new V,w=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){x.set(r[R+0],r[R+1],r[R+2]),S.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
-8]),w.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(x).add(S).add(b).divideScalar(3);let I=g(C);y(w,P+0,x,I),y(_,P+2,S,I),y(M,P+4,b,I)}}function y(x,S,b,C){
-C<0&&x.x===1&&(o[S]=x.x-1),b.x===0&&b.z===0&&(o[S]=C/2/Math.PI+.5)}function g(x){return Math.atan2(x.z,-x.x)}function m(x){return Math.atan2(-x.y,Math.sqrt(x.x*
-x.x+x.z*x.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
+(h(_[M][P+1]),h(_[M+1][P+1]),h(_[M+1][P]))}}function c(y){let S=new V;for(let b=0;b<r.length;b+=3)S.x=r[b+0],S.y=r[b+1],S.z=r[b+2],S.normalize().multiplyScalar(
+y),r[b+0]=S.x,r[b+1]=S.y,r[b+2]=S.z}function d(){let y=new V;for(let S=0;S<r.length;S+=3){y.x=r[S+0],y.y=r[S+1],y.z=r[S+2];let b=m(y)/2/Math.PI+.5,C=g(y)/Math.PI+
+.5;o.push(b,1-C)}p(),u()}function u(){for(let y=0;y<o.length;y+=6){let S=o[y+0],b=o[y+2],C=o[y+4],w=Math.max(S,b,C),_=Math.min(S,b,C);w>.9&&_<.1&&(S<.2&&(o[y+0]+=
+1),b<.2&&(o[y+2]+=1),C<.2&&(o[y+4]+=1))}}function h(y){r.push(y.x,y.y,y.z)}function f(y,S){let b=y*3;S.x=e[b+0],S.y=e[b+1],S.z=e[b+2]}function p(){let y=new V,S=new V,
+b=new V,C=new V,w=new st,_=new st,M=new st;for(let R=0,P=0;R<r.length;R+=9,P+=6){y.set(r[R+0],r[R+1],r[R+2]),S.set(r[R+3],r[R+4],r[R+5]),b.set(r[R+6],r[R+7],r[R+
+8]),w.set(o[P+0],o[P+1]),_.set(o[P+2],o[P+3]),M.set(o[P+4],o[P+5]),C.copy(y).add(S).add(b).divideScalar(3);let I=m(C);x(w,P+0,y,I),x(_,P+2,S,I),x(M,P+4,b,I)}}function x(y,S,b,C){
+C<0&&y.x===1&&(o[S]=y.x-1),b.x===0&&b.z===0&&(o[S]=C/2/Math.PI+.5)}function m(y){return Math.atan2(y.z,-y.x)}function g(y){return Math.atan2(-y.y,Math.sqrt(y.x*
+y.x+y.z*y.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
 detail)}};var no=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},Qo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],p=[],y=[],g=[];for(let m=0;m<d;m++){let x=m*h-o;for(let S=0;S<c;S++){let b=S*u-r;p.push(b,-x,0),y.push(0,0,1),g.push(S/a),g.push(1-m/l)}}for(let m=0;m<
-l;m++)for(let x=0;x<a;x++){let S=x+c*m,b=x+c*(m+1),C=x+1+c*(m+1),w=x+1+c*m;f.push(S,b,w),f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
-this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
+1,u=e/a,h=t/l,f=[],p=[],x=[],m=[];for(let g=0;g<d;g++){let y=g*h-o;for(let S=0;S<c;S++){let b=S*u-r;p.push(b,-y,0),x.push(0,0,1),m.push(S/a),m.push(1-g/l)}}for(let g=0;g<
+l;g++)for(let y=0;y<a;y++){let S=y+c*g,b=y+c*(g+1),C=y+1+c*(g+1),w=y+1+c*g;f.push(S,b,w),f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),
+this.setAttribute("normal",new yt(x,3)),this.setAttribute("uv",new yt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var ea=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],p=[],y=[],g=[];for(let m=0;m<=n;m++){let x=[],S=m/n,b=o+S*a,C=e*Math.cos(b),w=Math.sqrt(e*e-C*C),_=0;m===0&&o===0?_=.5/t:m===n&&l===Math.PI&&
-(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-w*Math.cos(P),u.y=C,u.z=w*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),g.push(
-R+_,1-S),x.push(c++)}d.push(x)}for(let m=0;m<n;m++)for(let x=0;x<t;x++){let S=d[m][x+1],b=d[m][x],C=d[m+1][x],w=d[m+1][x+1];(m!==0||o>0)&&f.push(S,b,w),(m!==n-1||
-l<Math.PI)&&f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(g,2))}copy(e){
+u=new V,h=new V,f=[],p=[],x=[],m=[];for(let g=0;g<=n;g++){let y=[],S=g/n,b=o+S*a,C=e*Math.cos(b),w=Math.sqrt(e*e-C*C),_=0;g===0&&o===0?_=.5/t:g===n&&l===Math.PI&&
+(_=-.5/t);for(let M=0;M<=t;M++){let R=M/t,P=s+R*r;u.x=-w*Math.cos(P),u.y=C,u.z=w*Math.sin(P),p.push(u.x,u.y,u.z),h.copy(u).normalize(),x.push(h.x,h.y,h.z),m.push(
+R+_,1-S),y.push(c++)}d.push(y)}for(let g=0;g<n;g++)for(let y=0;y<t;y++){let S=d[g][y+1],b=d[g][y],C=d[g+1][y],w=d[g+1][y+1];(g!==0||o>0)&&f.push(S,b,w),(g!==n-1||
+l<Math.PI)&&f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(x,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
 phiLength,e.thetaStart,e.thetaLength)}};function or(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(lm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(lm(s[0])){let r=[];for(let o=0,a=s.length;o<
@@ -1431,13 +1433,13 @@ t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetN
 let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case wu:r=e,a=2*t-n;break;case Tu:r=s.length-2,a=t+
 s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case wu:o=e,l=2*n-t;break;case Tu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),y=p*p,g=y*p,m=-h*g+2*
-h*y-h*p,x=(1+h)*g+(-1.5-2*h)*y+(-.5+h)*p+1,S=(-1-f)*g+(1.5+f)*y+.5*p,b=f*g-f*y;for(let C=0;C!==a;++C)r[C]=m*o[d+C]+x*o[c+C]+S*o[l+C]+b*o[u+C];return r}},Vl=class extends Ds{constructor(e,t,n,s){
+o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(n-t)/(s-t),x=p*p,m=x*p,g=-h*m+2*
+h*x-h*p,y=(1+h)*m+(-1.5-2*h)*x+(-.5+h)*p+1,S=(-1-f)*m+(1.5+f)*x+.5*p,b=f*m-f*x;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+y*o[c+C]+S*o[l+C]+b*o[u+C];return r}},Vl=class extends Ds{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Gl=class extends Ds{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Ds{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),y=1-p;for(let g=0;g!==
-a;++g)r[g]=o[c+g]*y+o[l+g]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let y=o[c+p],g=o[l+p],m=f*h+p*2,x=u[m],S=u[m+1],b=e*h+p*2,C=d[b],w=d[b+1],_=Ly(n,t,
-x,C,s);r[p]=sg(_,y,S,w,g)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),x=1-p;for(let m=0;m!==
+a;++m)r[m]=o[c+m]*x+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let x=o[c+p],m=o[l+p],g=f*h+p*2,y=u[g],S=u[g+1],b=e*h+p*2,C=d[b],w=d[b+1],_=Ly(n,t,
+y,C,s);r[p]=sg(_,x,S,w,m)}return r}};function sg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Iy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
 e)+6*r*i*(n-t)+3*i*i*(s-n)}function Ly(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=sg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Iy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Gr(t,this.TimeBufferType),
@@ -1460,7 +1462,7 @@ ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke(
 if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
 a,l,o),e=!1;break}o=l}if(s!==void 0&&ry(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
 e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===gl,r=e.length-1,o=1;for(let a=1;a<
-r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let y=t[u+p];if(y!==t[h+p]||y!==t[f+p]){
+r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let x=t[u+p];if(x!==t[h+p]||x!==t[f+p]){
 l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
 ++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),
 n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,dl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
@@ -1544,10 +1546,10 @@ let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c o
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
 this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=e.getRenderTarget(),h=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=
-!1;let y=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,
-e.setRenderTarget(n,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),g&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=y,e.setRenderTarget(n,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
+!1;let x=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,
+e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
+n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=x,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
 u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Kl=class extends On{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
 e,this.perCameraFrustumCulled=!1}};var id="\\[\\]\\.:\\/",Ny=new RegExp("["+id+"]","g"),sd="[^"+id+"]",Dy="[^"+id.replace("\\.","")+"]",Uy=/((?:WC+[\/:])*)/.source.replace("WC",sd),Fy=/(WCOD+)?/.
 source.replace("WCOD",Dy),Oy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",sd),By=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",sd),ky=new RegExp("^"+Uy+Fy+Oy+By+
@@ -1594,7 +1596,7 @@ prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getVa
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var $1=new Float32Array(1);var mm=new xt,la=class{constructor(e,t,n=0,s=1/0){this.ray=new eo(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new jr,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var q1=new Float32Array(1);var mm=new xt,la=class{constructor(e,t,n=0,s=1/0){this.ray=new eo(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new jr,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
@@ -1609,10 +1611,10 @@ return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParame
 dot(ml);if(n===0)return 0;let r=ml.dot(_m)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
 n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Vy,n=Gy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Xr.subVectors(c,a),
 $r.subVectors(d,l),bu.subVectors(a,l);let u=Xr.dot(Xr),h=$r.dot($r),f=$r.dot(bu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let y=Xr.dot($r),g=u*h-y*y;g!==0?r=at((y*f-p*h)/g,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-p/u,0,
-1)):o>1&&(o=1,r=at((y-p)/u,0,1))}}return t.copy(a).addScaledVector(Xr,r),n.copy(l).addScaledVector($r,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
+h,o=at(o,0,1);else{let p=Xr.dot(bu);if(h<=s)o=0,r=at(-p/u,0,1);else{let x=Xr.dot($r),m=u*h-x*x;m!==0?r=at((x*f-p*h)/m,0,1):r=0,o=(x*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+1)):o>1&&(o=1,r=at((x-p)/u,0,1))}}return t.copy(a).addScaledVector(Xr,r),n.copy(l).addScaledVector($r,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ha=class extends to{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
-push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
+push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let x=h===r?n:s;x.toArray(c,f),f+=3,x.toArray(c,f),f+=3,x.toArray(c,f),f+=3,x.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Is({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
 this.geometry.dispose(),this.material.dispose()}};function rd(i,e,t,n){let s=Hy(n);switch(t){case Yu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Bs:
 return i*e*2/s.components*s.byteLength;case ac:return i*e*2/s.components*s.byteLength;case Zu:return i*e*3/s.components*s.byteLength;case wi:return i*e*4/s.components*
@@ -1635,9 +1637,9 @@ f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FL
 i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof
 Int8Array)f=i.BYTE;else if(c instanceof Uint8Array)f=i.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)f=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLA\
 ttributes: Unsupported buffer data format: "+c);return{buffer:h,type:f,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:u}}function n(a,l,c){let d=l.array,
-u=l.updateRanges;if(i.bindBuffer(c,a),u.length===0)i.bufferSubData(c,0,d);else{u.sort((f,p)=>f.start-p.start);let h=0;for(let f=1;f<u.length;f++){let p=u[h],y=u[f];
-y.start<=p.start+p.count+1?p.count=Math.max(p.count,y.start+y.count-p.start):(++h,u[h]=y)}u.length=h+1;for(let f=0,p=u.length;f<p;f++){let y=u[f];i.bufferSubData(
-c,y.start*d.BYTES_PER_ELEMENT,d,y.start,y.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(
+u=l.updateRanges;if(i.bindBuffer(c,a),u.length===0)i.bufferSubData(c,0,d);else{u.sort((f,p)=>f.start-p.start);let h=0;for(let f=1;f<u.length;f++){let p=u[h],x=u[f];
+x.start<=p.start+p.count+1?p.count=Math.max(p.count,x.start+x.count-p.start):(++h,u[h]=x)}u.length=h+1;for(let f=0,p=u.length;f<p;f++){let x=u[f];i.bufferSubData(
+c,x.start*d.BYTES_PER_ELEMENT,d,x.start,x.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(
 a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&
 (a=a.data),a.isGLBufferAttribute){let d=e.get(a);(!d||d.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
 return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
@@ -2637,25 +2639,25 @@ value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{val
 attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
 anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},TM=new xt,Cg=new Qe;Cg.set(
--1,0,0,0,1,0,0,0,1);function AM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let S=x.isScene===!0?x.background:null;if(S&&S.isTexture){
-let b=x.backgroundBlurriness>0;S=e.get(S,b)}return S}function p(x){let S=!1,b=f(x);b===null?g(o,a):b&&b.isColor&&(g(b,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
+-1,0,0,0,1,0,0,0,1);function AM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(y){let S=y.isScene===!0?y.background:null;if(S&&S.isTexture){
+let b=y.backgroundBlurriness>0;S=e.get(S,b)}return S}function p(y){let S=!1,b=f(y);b===null?m(o,a):b&&b.isColor&&(m(b,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||S)&&(t.buffers.depth.setTest(!0),t.buffers.
-depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(x,S){let b=f(S);b&&b.isCubeTexture?(c===
+depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function x(y,S){let b=f(S);b&&b.isCubeTexture?(c===
 void 0&&(c=new hi(new Ls(1,1,1),new zi({name:"BackgroundCubeMaterial",uniforms:or(Wi.backgroundCube.uniforms),vertexShader:Wi.backgroundCube.vertexShader,fragmentShader:Wi.
 backgroundCube.fragmentShader,side:zn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,w,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
 value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(TM.makeRotationFromEuler(S.backgroundRotation)).transpose(),b.isRenderTargetTexture===
 !1&&c.material.uniforms.backgroundRotation.value.premultiply(Cg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
-(c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new hi(
+(c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),y.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new hi(
 new Qo(2,2),new zi({name:"BackgroundMaterial",uniforms:or(Wi.background.uniforms),vertexShader:Wi.background.vertexShader,fragmentShader:Wi.background.fragmentShader,
 side:Os,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
 uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function g(x,S){x.getRGB(zc,nd(i)),
-t.buffers.color.setClear(zc.r,zc.g,zc.b,S,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,S=1){o.set(x),a=S,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){
-a=x,g(o,a)},render:p,addToRenderList:y,dispose:m}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),y.unshift(l,l.geometry,l.material,0,0,null))}function m(y,S){y.getRGB(zc,nd(i)),
+t.buffers.color.setClear(zc.r,zc.g,zc.b,S,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(y,S=1){o.set(y),a=S,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(y){
+a=y,m(o,a)},render:p,addToRenderList:x,dispose:g}}function EM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
 W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
@@ -2665,26 +2667,26 @@ Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){le
 instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
 W||r.index!==D}function p(I,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
 eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function g(I){m(I,0)}function m(I,F){
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function x(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function m(I){g(I,0)}function g(I,F){
 let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),G[I]!==F&&(i.vertexAttribDivisor(I,F),G[I]=
-F)}function x(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function S(I,F,z,D,G,Y,W){
-W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
+F)}function y(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function S(I,F,z,D,G,Y,W){
+W===!0?i.vertexAttribIPointer(I,F,z,G,Y):i.vertexAttribPointer(I,F,z,D,G,Y)}function b(I,F,z,D){x();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
 for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
 instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
 Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let Me=Q.data,He=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,nt=Q.offset;
-if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
-!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
+if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,Me.meshPerAttribute);I.isInstancedMesh!==
+!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)m(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
 ee);for(let Ve=0;Ve<K.locationSize;Ve++)S(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let Me=0;Me<
-K.locationSize;Me++)m(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let Me=0;Me<K.locationSize;Me++)g(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)S(K.location+Me,de/K.locationSize,me,se,
+K.locationSize;Me++)g(K.location+Me,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let Me=0;Me<K.locationSize;Me++)m(K.location+Me);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let Me=0;Me<K.locationSize;Me++)S(K.location+Me,de/K.locationSize,me,se,
 de*xe,de/K.locationSize*Me*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
-K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}x()}function C(){R();for(let I in n){let F=n[I];for(let z in F){
+K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}y()}function C(){R();for(let I in n){let F=n[I];for(let z in F){
 let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I]}}function w(I){if(n[I.id]===void 0)return;let F=n[I.id];
 for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[I.id]}function _(I){for(let F in n){let z=n[F];
 for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function R(){P(),o=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:R,resetDefaultState:P,
-dispose:C,releaseStatesOfGeometry:w,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:g,disableUnusedAttributes:x}}function CM(i,e,t){
+dispose:C,releaseStatesOfGeometry:w,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:x,enableAttribute:m,disableUnusedAttributes:y}}function CM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
 renderInstances=o,this.renderMultiDraw=a}function RM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
@@ -2696,18 +2698,18 @@ i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDI
 ighp",d=l(c);d!==c&&(qe("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
-getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),g=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-m=i.getParameter(i.MAX_VERTEX_ATTRIBS),x=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),x=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
+g=i.getParameter(i.MAX_VERTEX_ATTRIBS),y=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),w=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:x,
+precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:x,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:y,
 maxVaryings:S,maxFragmentUniforms:b,maxSamples:C,samples:w}}function PM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
-r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,y=u.clipIntersection,
-g=u.clipShadows,m=i.get(u);if(!s||p===null||p.length===0||r&&!g)r?d(null):c();else{let x=r?0:n,S=x*4,b=m.clippingState||null;l.value=b,b=d(p,h,S,f);for(let C=0;C!==
-S;++C)b[C]=t[C];m.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function d(u,h,f,p){let y=u!==null?u.length:0,g=null;if(y!==0){if(g=l.value,p!==!0||g===null){let m=f+y*4,x=h.matrixWorldInverse;a.getNormalMatrix(
-x),(g===null||g.length<m)&&(g=new Float32Array(m));for(let S=0,b=f;S!==y;++S,b+=4)o.copy(u[S]).applyMatrix4(x,a),o.normal.toArray(g,b),g[b+3]=o.constant}l.value=
-g,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,g}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,x=u.clipIntersection,
+m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let y=r?0:n,S=y*4,b=g.clippingState||null;l.value=b,b=d(p,h,S,f);for(let C=0;C!==
+S;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=x?this.numPlanes:0,this.numPlanes+=y}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function d(u,h,f,p){let x=u!==null?u.length:0,m=null;if(x!==0){if(m=l.value,p!==!0||m===null){let g=f+x*4,y=h.matrixWorldInverse;a.getNormalMatrix(
+y),(m===null||m.length<g)&&(m=new Float32Array(g));for(let S=0,b=f;S!==x;++S,b+=4)o.copy(u[S]).applyMatrix4(y,a),o.normal.toArray(m,b),m[b+3]=o.constant}l.value=
+m,l.needsUpdate=!0}return e.numPlanes=x,e.numIntersection=0,m}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Yo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
@@ -2721,8 +2723,8 @@ this,o),e.clear(t,n,s);e.setRenderTarget(r)}},og=256,IM=3,LM=20,Rg=256,Pg=16,NM=
 this._sourceTarget=null,this._cubeCamera=new so(1,10,null),this._boxMesh=new hi(new Ls(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
 _blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=DM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(UM));let g=new so(
-n,s,d);return g.position.copy(a),g.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=y,t>0&&(d.texture.mipmapsAutoUpdate=
+p=l.autoClearStencil,x=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,x===null&&(e.background=l.getClearColor(UM));let m=new so(
+n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=x,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
 this._cubemapMaterial===null&&(this._cubemapMaterial=cg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
 null&&(this._equirectMaterial=lg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
@@ -2787,41 +2789,41 @@ rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy
 return Sa("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
 function kM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
-Ql||f===ec)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let y=new Ma(p.height);return y.fromEquirectangularTexture(
-i,h),e.set(h,y),h.addEventListener("dispose",c),a(y.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===Ql||f===ec,y=f===sr||f===ao;if(p||y){let g=t.get(h),m=g!==void 0?g.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return n===
-null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h,g):n.fromCubemap(h,g),g.texture.pmremVersion=h.pmremVersion,t.set(h,g),g.texture;if(g!==void 0)return g.texture;
-{let x=h.image;return p&&x&&x.height>0||y&&x&&l(x)?(n===null&&(n=new Gc(i)),g=p?n.fromEquirectangular(h):n.fromCubemap(h),g.texture.pmremVersion=h.pmremVersion,
-t.set(h,g),h.addEventListener("dispose",d),g.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=sr:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
-p=6;for(let y=0;y<p;y++)h[y]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
+Ql||f===ec)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let x=new Ma(p.height);return x.fromEquirectangularTexture(
+i,h),e.set(h,x),h.addEventListener("dispose",c),a(x.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
+mapping,p=f===Ql||f===ec,x=f===sr||f===ao;if(p||x){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
+null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
+{let y=h.image;return p&&y&&y.height>0||x&&y&&l(y)?(n===null&&(n=new Gc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
+t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===Ql?h.mapping=sr:f===ec&&(h.mapping=ao),h}function l(h){let f=0,
+p=6;for(let x=0;x<p;x++)h[x]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
 n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function zM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Oo("WebGLRenderer\
 : "+n+" extension not supported."),s}}}function VM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
-p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.
-get(p);y&&(e.remove(y),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){
-return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(p){let y=p.attributes;
-for(let g in y)e.update(y[g],i.ARRAY_BUFFER)}function u(p){let y=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let x=y!==null?y.array.length:g.array.
-length/3-1,S=g.count>=65535?Xo:Wo,b=new S(Math.ceil(x/3)*6,1),C=b.array;if(y!==null){let _=y.array;m=y.version;for(let M=0,R=0;M<x;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
-2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{m=g.version;for(let _=0,M=0;_<x;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
-I,C[M++]=R}}b.version=m;let w=r.get(p);w&&e.remove(w),r.set(p,b)}function h(p){let y=r.get(p);if(y){let g=p.index;g!==null&&y.version<g.version&&u(p)}else u(p);
-return r.get(p)}function f(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function GM(i,e,t){let n;
+p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let x=r.
+get(p);x&&(e.remove(x),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,x){
+return s[x.id]!==void 0||(x.addEventListener("dispose",a),s[x.id]=new WeakRef(x),o.register(x,x.id,x),t.memory.geometries++),x}function d(p){let x=p.attributes;
+for(let m in x)e.update(x[m],i.ARRAY_BUFFER)}function u(p){let x=p.index,m=p.attributes.position,g=0;if(m===void 0)return;let y=x!==null?x.array.length:m.array.
+length/3-1,S=m.count>=65535?Xo:Wo,b=new S(Math.ceil(y/3)*6,1),C=b.array;if(x!==null){let _=x.array;g=x.version;for(let M=0,R=0;M<y;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
+2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{g=m.version;for(let _=0,M=0;_<y;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
+I,C[M++]=R}}b.version=g;let w=r.get(p);w&&e.remove(w),r.set(p,b)}function h(p){let x=r.get(p);if(x){let m=p.index;m!==null&&x.version<m.version&&u(p)}else u(p);
+return r.get(p)}function f(){for(let p in s){let x=s[p].deref();x!==void 0&&l(x)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function GM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
-n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let g=0;g<f;g++)y+=h[g];
-t.update(y,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function HM(i){let e={geometries:0,textures:0},t={frame:0,
+n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let x=0;for(let m=0;m<f;m++)x+=h[m];
+t.update(x,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function HM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
 t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function WM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let R=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",R)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
-position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],x=a.morphAttributes.
-color||[],S=0;f===!0&&(S=1),p===!0&&(S=2),y===!0&&(S=3);let b=a.attributes.position.count*S,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
-let w=new Float32Array(b*C*4*u),_=new Go(w,b,C,u);_.type=ui,_.needsUpdate=!0;let M=S*4;for(let P=0;P<u;P++){let I=g[P],F=m[P],z=x[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
+position!==void 0,p=a.morphAttributes.normal!==void 0,x=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],y=a.morphAttributes.
+color||[],S=0;f===!0&&(S=1),p===!0&&(S=2),x===!0&&(S=3);let b=a.attributes.position.count*S,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
+let w=new Float32Array(b*C*4*u),_=new Go(w,b,C,u);_.type=ui,_.needsUpdate=!0;let M=S*4;for(let P=0;P<u;P++){let I=m[P],F=g[P],z=y[P],D=b*C*4*P;for(let G=0;G<I.count;G++){
 let Y=G*M;f===!0&&(s.fromBufferAttribute(I,G),w[D+Y+0]=s.x,w[D+Y+1]=s.y,w[D+Y+2]=s.z,w[D+Y+3]=0),p===!0&&(s.fromBufferAttribute(F,G),w[D+Y+4]=s.x,w[D+Y+5]=s.y,w[D+
-Y+6]=s.z,w[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),w[D+Y+8]=s.x,w[D+Y+9]=s.y,w[D+Y+10]=s.z,w[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
+Y+6]=s.z,w[D+Y+7]=0),x===!0&&(s.fromBufferAttribute(z,G),w[D+Y+8]=s.x,w[D+Y+9]=s.y,w[D+Y+10]=s.z,w[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:_,size:new st(
 b,C)},n.set(a,h),a.addEventListener("dispose",R)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
-let f=0;for(let y=0;y<c.length;y++)f+=c[y];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
+let f=0;for(let x=0;x<c.length;x++)f+=c[x];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
 function XM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
 (c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
@@ -2839,17 +2841,17 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,y=null,g=!1,m,x=null,S=[],b=!1;this.setSize=
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new hi(d,u),f=new aa(-1,1,1,-1,0,1),p=null,x=null,m=!1,g,y=null,S=[],b=!1;this.setSize=
 function(C,w){o.setSize(C,w),a!==null&&a.setSize(C,w),l!==null&&l.setSize(C,w);for(let _=0;_<S.length;_++){let M=S[_];M.setSize&&M.setSize(C,w)}},this.setEffects=
 function(C){S=C,b=S.length>0&&S[0].isRenderPass===!0;let w=o.width,_=o.height;S.length>0&&a===null&&(a=new ti(w,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
 w,_,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&S.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new hs(w,_),
 r===!0&&(c.format=ds,c.type=rr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<S.length;R++){let P=S[R];
-P.setSize&&P.setSize(w,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,w){if(g||C.toneMapping===Gi&&S.length===0)
-return!1;if(x=w,w!==null){let _=w.width,M=w.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=
-Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,w){C.toneMapping=m,g=!0;let _=o,M=a;for(let R=0;R<S.length;R++){let P=S[R];P.enabled!==!1&&(P.
-render(C,M,_,w),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
-p)===At&&(u.defines.SRGB_TRANSFER="");let R=$M[y];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(x),C.render(h,f),x=
-null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
+P.setSize&&P.setSize(w,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,w){if(m||C.toneMapping===Gi&&S.length===0)
+return!1;if(y=w,w!==null){let _=w.width,M=w.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
+Gi,!0},this.hasRenderPass=function(){return b},this.end=function(C,w){C.toneMapping=g,m=!0;let _=o,M=a;for(let R=0;R<S.length;R++){let P=S[R];P.enabled!==!1&&(P.
+render(C,M,_,w),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||x!==C.toneMapping){p=C.outputColorSpace,x=C.toneMapping,u.defines={},_t.getTransfer(
+p)===At&&(u.defines.SRGB_TRANSFER="");let R=$M[x];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(y),C.render(h,f),y=
+null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ig=new Gn,
 Lg=new hs(1,1),Ng=new Zo(1),Dg=new Go,Ug=new Il,Fg=new Yo,hg=[],ug=[],dg=new Float32Array(16),fg=new Float32Array(9),pg=new Float32Array(4);function ho(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=hg[s];if(r===void 0&&(r=new Float32Array(s),hg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
@@ -2934,9 +2936,9 @@ i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n
 return JS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var jS={[ao]:"ENVMAP_MODE_REFRACTION"};function QS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":jS[i.envMapMode]||
 "ENVMAP_MODE_REFLECTION"}var ew={[jl]:"ENVMAP_BLENDING_MULTIPLY",[km]:"ENVMAP_BLENDING_MIX",[zm]:"ENVMAP_BLENDING_ADD"};function tw(i){return i.envMap===!1?"ENV\
 MAP_BLENDING_NONE":ew[i.combine]||"ENVMAP_BLENDING_NONE"}function nw(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=KS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),y,g,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
-(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),y.length>0&&(y+="\n"),g=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),g.length>0&&(g+="\n")):(y=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=QS(t),u=tw(t),h=HS(t),f=WS(r),p=s.createProgram(),x,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+(x=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),x.length>0&&(x+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
+"#define SHADER_NAME "+t.shaderName,f].filter(ba).join("\n"),m.length>0&&(m+="\n")):(x=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2970,7 +2972,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),g=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(ba).join("\n"),m=[Mg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2993,17 +2995,17 @@ logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepth
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Gi?"#define TONE_MAPPING":"",t.toneMapping!==Gi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
 Gi?VS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,kS("linearToOutputTexel",t.outputColorSpace),
 GS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(ba).join("\n")),o=ud(o),o=yg(o,t),o=vg(o,t),a=ud(a),a=yg(a,t),a=vg(a,t),o=bg(o),a=
-bg(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",y=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+y,g=["#d\
+bg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",x=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+x,m=["#d\
 efine varying in",t.glslVersion===Qu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Qu?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+g);let x=m+y+o,S=m+g+a,b=gg(s,s.VERTEX_SHADER,x),C=gg(s,s.FRAGMENT_SHADER,S);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let y=g+x+o,S=g+m+a,b=gg(s,s.VERTEX_SHADER,y),C=gg(s,s.FRAGMENT_SHADER,S);s.attachShader(
 p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
 osition"),s.linkProgram(p);function w(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
 D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
 s,p,b,C);else{let K=xg(s,b,"vertex"),Q=xg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+P.name+"\nMaterial Type: "+P.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:g}})}s.deleteShader(b),s.deleteShader(C),_=new co(
+"")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:x},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new co(
 s,p),M=XS(s,p)}let _;this.getUniforms=function(){return _===void 0&&w(this),_};let M;this.getAttributes=function(){return M===void 0&&w(this),M};let R=t.rendererExtensionParallelShaderCompile===
 !1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,US)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
 program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=FS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
@@ -3058,8 +3060,8 @@ isVideoTexture===!0&&_t.getTransfer(_.emissiveMap.colorSpace)===At,premultiplied
 depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Ze&&_.extensions.clipCullDistance===!0&&t.has(
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
-Je}function y(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let R in _.defines)
-M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(g(M,_),m(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function g(_,M){
+Je}function x(_){let M=[];if(_.shaderID?M.push(_.shaderID):(M.push(_.customVertexShaderID),M.push(_.customFragmentShaderID)),_.defines!==void 0)for(let R in _.defines)
+M.push(R),M.push(_.defines[R]);return _.isRawShaderMaterial===!1&&(m(M,_),g(M,_),M.push(i.outputColorSpace)),M.push(_.customProgramCacheKey),M.join()}function m(_,M){
 _.push(M.precision),_.push(M.outputColorSpace),_.push(M.envMapMode),_.push(M.envMapPMREM),_.push(M.envMapMaxLod),_.push(M.envMapSize),_.push(M.mapUv),_.push(M.alphaMapUv),
 _.push(M.lightMapUv),_.push(M.aoMapUv),_.push(M.bumpMapUv),_.push(M.normalMapUv),_.push(M.displacementMapUv),_.push(M.emissiveMapUv),_.push(M.metalnessMapUv),_.
 push(M.roughnessMapUv),_.push(M.anisotropyMapUv),_.push(M.clearcoatMapUv),_.push(M.clearcoatNormalMapUv),_.push(M.clearcoatRoughnessMapUv),_.push(M.diffuseRoughnessMapUv),
@@ -3068,7 +3070,7 @@ _.push(M.specularIntensityMapUv),_.push(M.transmissionMapUv),_.push(M.thicknessM
 _.push(M.numSunLights),_.push(M.numDirLights),_.push(M.numPointLights),_.push(M.numSpotLights),_.push(M.numSpotLightMaps),_.push(M.numHemiLights),_.push(M.numRectAreaLights),
 _.push(M.numSunLightShadows),_.push(M.numDirLightShadows),_.push(M.numPointLightShadows),_.push(M.numSpotLightShadows),_.push(M.numSpotLightShadowsWithMaps),_.push(
 M.numLightProbes),_.push(M.numLightProbeGrids),_.push(M.shadowMapType),_.push(M.toneMapping),_.push(M.numClippingPlanes),_.push(M.numClipIntersection),_.push(M.
-depthPacking)}function m(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
+depthPacking)}function g(_,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
 o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
 M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
 15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
@@ -3077,19 +3079,19 @@ M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmi
 5),M.morphTargets&&o.enable(6),M.morphNormals&&o.enable(7),M.morphColors&&o.enable(8),M.premultipliedAlpha&&o.enable(9),M.shadowMapEnabled&&o.enable(10),M.doubleSided&&
 o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
 enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
-0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function x(_){let M=h[_.type],R;if(M){let P=Wi[M];R=ig.clone(P.uniforms)}else R=_.uniforms;return R}
+0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function y(_){let M=h[_.type],R;if(M){let P=Wi[M];R=ig.clone(P.uniforms)}else R=_.uniforms;return R}
 function S(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new nw(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
-c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function w(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:x,
+c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function w(){a.dispose()}return{getParameters:p,getProgramCacheKey:x,getUniforms:y,
 acquireProgram:S,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:w}}function ow(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
 dispose:r}}function aw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Sg(i,e){
 return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function wg(){
-let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,y,g,m){
-let x=i[e];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:g,group:m},i[e]=x):(x.id=h.
-id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=y,x.renderOrder=h.renderOrder,x.z=g,x.group=m),e++,x}function l(h,f,p,y,g,m,x){x.reversedDepth===
-!0&&(g=-g);let S=a(h,f,p,y,g,m);p.transmission>0?n.push(S):p.transparent===!0?s.push(S):t.push(S)}function c(h,f,p,y,g,m){let x=a(h,f,p,y,g,m);p.transmission>0?
-n.unshift(x):p.transparent===!0?s.unshift(x):t.unshift(x)}function d(h,f){t.length>1&&t.sort(h||aw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
+let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,x,m,g){
+let y=i[e];return y===void 0?(y={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:x,renderOrder:h.renderOrder,z:m,group:g},i[e]=y):(y.id=h.
+id,y.object=h,y.geometry=f,y.material=p,y.materialVariant=o(h),y.groupOrder=x,y.renderOrder=h.renderOrder,y.z=m,y.group=g),e++,y}function l(h,f,p,x,m,g,y){y.reversedDepth===
+!0&&(m=-m);let S=a(h,f,p,x,m,g);p.transmission>0?n.push(S):p.transparent===!0?s.push(S):t.push(S)}function c(h,f,p,x,m,g){let y=a(h,f,p,x,m,g);p.transmission>0?
+n.unshift(y):p.transparent===!0?s.unshift(y):t.unshift(y)}function d(h,f){t.length>1&&t.sort(h||aw),n.length>1&&n.sort(f||Sg),s.length>1&&s.sort(f||Sg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
 transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function lw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new wg,i.set(n,[o])):
 s>=r.length?(o=new wg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function cw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
@@ -3104,39 +3106,39 @@ directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,y=0,g=0,m=0,x=0,S=0,b=0,C=0,w=0,_=0,M=0,R=0,P=0;c.sort(dw);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,x=0,m=0,g=0,y=0,S=0,b=0,C=0,w=0,_=0,M=0,R=0,P=0;c.sort(dw);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Bs?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);P++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
 se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize.copy(Q.mapSize).multiply(
-Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
-ue]=Q._cascadeData[ue];y+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
+Q.getFrameExtents()),n.sunShadow[p]=se,n.sunShadowMap[p]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[x+ue]=Q.getMatrix(ue),n.sunShadowCascade[x+
+ue]=Q._cascadeData[ue];x+=de,p++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.directionalShadow[g]=se,n.directionalShadowMap[g]=ce,n.directionalShadowMatrix[g]=D.shadow.matrix,C++}n.directional[g]=K,g++}else if(D.isSpotLight){let K=e.get(
+n.directionalShadow[m]=se,n.directionalShadowMap[m]=ce,n.directionalShadowMatrix[m]=D.shadow.matrix,C++}n.directional[m]=K,m++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
-D.penumbra)),K.decay=D.decay,n.spot[x]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&R++),n.spotLightMatrix[x]=Q.matrix,
+D.penumbra)),K.decay=D.decay,n.spot[y]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&R++),n.spotLightMatrix[y]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.spotShadow[x]=se,n.spotShadowMap[x]=ce,_++}x++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
+n.spotShadow[y]=se,n.spotShadowMap[y]=ce,_++}y++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
 set(0,D.height*.5,0),n.rectArea[S]=K,S++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
-shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[m]=se,n.pointShadowMap[m]=ce,n.pointShadowMatrix[m]=D.shadow.
-matrix,w++}n.point[m]=K,m++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
+matrix,w++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
 Y),n.hemi[b]=K,b++}}S>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==g||I.pointLength!==m||I.spotLength!==x||I.rectAreaLength!==
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==m||I.pointLength!==g||I.spotLength!==y||I.rectAreaLength!==
 S||I.hemiLength!==b||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==w||I.numSpotShadows!==_||I.numSpotMaps!==M||I.numLightProbes!==P)&&(n.
-sun.length=f,n.directional.length=g,n.spot.length=x,n.rectArea.length=S,n.point.length=m,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
-length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=w,n.pointShadowMap.
+sun.length=f,n.directional.length=m,n.spot.length=y,n.rectArea.length=S,n.point.length=g,n.hemi.length=b,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.
+length=x,n.sunShadowCascade.length=x,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=w,n.pointShadowMap.
 length=w,n.pointShadowMatrix.length=w,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
-R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=g,I.pointLength=m,I.spotLength=x,I.rectAreaLength=S,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=w,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,y=0,g=0,m=d.matrixWorldInverse;for(let x=0,
-S=c.length;x<S;x++){let b=c[x];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(m),u++}else if(b.
+R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=y,I.rectAreaLength=S,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
+C,I.numPointShadows=w,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=uw++)}function l(c,d){let u=0,h=0,f=0,p=0,x=0,m=0,g=d.matrixWorldInverse;for(let y=0,
+S=c.length;y<S;y++){let b=c[y];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(m),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(
-b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(b.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(b.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.
-set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(m),f++}else if(b.isHemisphereLight){let C=n.hemi[g];C.direction.setFromMatrixPosition(b.matrixWorld),
-C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
+b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),p++}else if(b.isRectAreaLight){let C=n.rectArea[x];
+C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
+set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),x++}else if(b.isPointLight){let C=n.point[f];C.position.
+setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
+C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Tg(i){let e=new fw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
 return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function pw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
@@ -3151,10 +3153,10 @@ mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",_w
 xw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ag=new xt,va=new V,ad=new V;function yw(i,e,t){let n=new Ps,s=new st,r=new st,
 o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Os]:zn,[zn]:Os,[Vi]:Vi},h=new zi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
 value:new st},radius:{value:4}},vertexShader:mw,fragmentShader:gw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new bi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new hi(p,h),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let m=this.type;this.render=function(w,_,M){
-if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||w.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let x=new hi(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ua;let g=this.type;this.render=function(w,_,M){
+if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||w.length===0)return;this.type===vm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
 hadowMap instead."),this.type=ua);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(nr),F.buffers.depth.getReversed()===
-!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=m!==this.type;z&&_.traverse(function(D){
+!0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
 D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=w.length;D<G;D++){let Y=w[D],W=Y.shadow;
 if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
 s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
@@ -3171,13 +3173,13 @@ for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camer
 va.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(va),ad.copy(ee.position),ad.add(_w[de]),ee.up.copy(xw[de]),ee.lookAt(ad),ee.updateMatrixWorld(),me.makeTranslation(
 -va.x,-va.y,-va.z),Ag.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Ag,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&x(W,M),W.needsUpdate=!1}m=this.type,
-g.needsUpdate=!1,i.setRenderTarget(R,P,I)};function x(w,_){let M=e.update(y);h.defines.VSM_SAMPLES!==w.blurSamples&&(h.defines.VSM_SAMPLES=w.blurSamples,f.defines.
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ro&&y(W,M),W.needsUpdate=!1}g=this.type,
+m.needsUpdate=!1,i.setRenderTarget(R,P,I)};function y(w,_){let M=e.update(x);h.defines.VSM_SAMPLES!==w.blurSamples&&(h.defines.VSM_SAMPLES=w.blurSamples,f.defines.
 VSM_SAMPLES=w.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),w.mapPass===null?w.mapPass=new ti(s.x,s.y,{format:Bs,type:Si}):(w.mapPass.width!==w.map.width||w.mapPass.
 height!==w.map.height)&&w.mapPass.setSize(w.map.width,w.map.height),h.uniforms.shadow_pass.value=w.map.depthTexture,h.uniforms.resolution.value.set(w.map.width,
-w.map.height),h.uniforms.radius.value=w.radius,i.setRenderTarget(w.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,y,null),f.uniforms.shadow_pass.value=w.mapPass.
+w.map.height),h.uniforms.radius.value=w.radius,i.setRenderTarget(w.mapPass),i.clear(),i.renderBufferDirect(_,null,M,h,x,null),f.uniforms.shadow_pass.value=w.mapPass.
 texture,f.uniforms.resolution.value.set(w.map.width,w.map.height),f.uniforms.radius.value=w.radius,i.setRenderTarget(w.map),i.clear(),i.renderBufferDirect(_,null,
-M,f,y,null)}function S(w,_,M,R){let P=null,I=M.isPointLight===!0?w.customDistanceMaterial:w.customDepthMaterial;if(I!==void 0)P=I;else if(P=M.isPointLight===!0?
+M,f,x,null)}function S(w,_,M,R){let P=null,I=M.isPointLight===!0?w.customDistanceMaterial:w.customDepthMaterial;if(I!==void 0)P=I;else if(P=M.isPointLight===!0?
 l:a,i.localClippingEnabled&&_.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&
 _.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let F=P.uuid,z=_.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=P.clone(),D[z]=G,_.
 addEventListener("dispose",C)),P=G}if(P.visible=_.visible,P.wireframe=_.wireframe,R===ro?P.side=_.shadowSide!==null?_.shadowSide:_.side:P.side=_.shadowSide!==null?
@@ -3201,7 +3203,7 @@ i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}functio
 setTest:function(Oe){O||(Oe?Me(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(be!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),be=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],y=null,g=!1,m=null,x=null,S=null,b=null,C=null,w=null,_=null,
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],x=null,m=!1,g=null,y=null,S=null,b=null,C=null,w=null,_=null,
 M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
@@ -3212,18 +3214,18 @@ xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i
 o.setFunc(Yr),Qt(!1),Pt(Pu),Me(i.CULL_FACE),Gt(nr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
 return h[O]!==re?(i.bindFramebuffer(O,re),h[O]=re,O===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=re),O===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ve(O,re){
 let ne=p,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let be=0,Ge=ge.
-length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return y!==
-O?(i.useProgram(O),y=O,!0):!1}let lt={[ir]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
+length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return x!==
+O?(i.useProgram(O),x=O,!0):!1}let lt={[ir]:i.FUNC_ADD,[Mm]:i.FUNC_SUBTRACT,[Sm]:i.FUNC_REVERSE_SUBTRACT};lt[wm]=i.MIN,lt[Tm]=i.MAX;let et={[Am]:i.ZERO,[Em]:i.ONE,
 [Cm]:i.SRC_COLOR,[Du]:i.SRC_ALPHA,[Dm]:i.SRC_ALPHA_SATURATE,[Lm]:i.DST_COLOR,[Pm]:i.DST_ALPHA,[Rm]:i.ONE_MINUS_SRC_COLOR,[Uu]:i.ONE_MINUS_SRC_ALPHA,[Nm]:i.ONE_MINUS_DST_COLOR,
 [Im]:i.ONE_MINUS_DST_ALPHA,[Um]:i.CONSTANT_COLOR,[Fm]:i.ONE_MINUS_CONSTANT_COLOR,[Om]:i.CONSTANT_ALPHA,[Bm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
-if(O===nr){g===!0&&(He(i.BLEND),g=!1);return}if(g===!1&&(Me(i.BLEND),g=!0),O!==bm){if(O!==m||Oe!==P){if((x!==ir||C!==ir)&&(i.blendEquation(i.FUNC_ADD),x=ir,C=ir),
+if(O===nr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==bm){if(O!==g||Oe!==P){if((y!==ir||C!==ir)&&(i.blendEquation(i.FUNC_ADD),y=ir,C=ir),
 Oe)switch(O){case oo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFunc(i.ONE,i.ONE);break;case Lu:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Nu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case oo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Iu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Lu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Nu:Ke("WebGLState: Mul\
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,b=null,w=null,_=null,M.set(0,0,0),
-R=0,m=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==x||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),x=re,C=ge),(ne!==S||we!==b||be!==w||Ge!==_)&&(i.blendFuncSeparate(
-et[ne],et[we],et[be],et[Ge]),S=ne,b=we,w=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),m=O,P=!1}function Ut(O,re){O.side===
+R=0,g=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==y||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),y=re,C=ge),(ne!==S||we!==b||be!==w||Ge!==_)&&(i.blendFuncSeparate(
+et[ne],et[we],et[be],et[Ge]),S=ne,b=we,w=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),g=O,P=!1}function Ut(O,re){O.side===
 Vi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===zn;re&&(ne=!ne),Qt(ne),O.blending===oo&&O.transparent===!1?Gt(nr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
@@ -3251,17 +3253,17 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-p=[],y=null,g=!1,m=null,x=null,S=null,b=null,C=null,w=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+p=[],x=null,m=!1,g=null,y=null,S=null,b=null,C=null,w=null,_=null,M=new rt(0,0,0),R=0,P=!1,I=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
 texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function bw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,y=new FinalizationRegistry(L=>p.delete(L)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function m(L,T){return g?new OffscreenCanvas(L,T):Vo("canvas")}function x(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,x=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Vo("canvas")}function y(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
 $)&&(he=$/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&L instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&L instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&L instanceof ImageBitmap||typeof VideoFrame<"u"&&L instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=m(_e,ye));let te=T?m(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
+void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(L,0,0,_e,ye),qe("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in L&&qe("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
 )."),L;return L}function S(L){return L.generateMipmaps}function b(L){i.generateMipmap(L)}function C(L){return L.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:L.isWebGL3DRenderTarget?
 i.TEXTURE_3D:L.isWebGLArrayRenderTarget||L.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function w(L,T,$,he,oe,_e=!1){if(L!==null){if(i[L]!==void 0)
@@ -3281,8 +3283,8 @@ i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)
 Mi||T===rr?$=i.DEPTH24_STENCIL8:T===ui?$=i.DEPTH32F_STENCIL8:T===lo&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
 il. Using 24-bit attachment.")):T===null||T===Mi||T===rr?$=i.DEPTH_COMPONENT24:T===ui?$=i.DEPTH_COMPONENT32F:T===lo&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return S(
 L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==Bn?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
-Array.isArray(L.image)?T.mipmaps.length:1}function R(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),y.register(L,T,T)}function P(L){let T=n.get(L).__ref;T!==
-void 0&&(p.delete(T),y.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),P(L),Y(L),L.isVideoTexture&&
+Array.isArray(L.image)?T.mipmaps.length:1}function R(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),x.register(L,T,T)}function P(L){let T=n.get(L).__ref;T!==
+void 0&&(p.delete(T),x.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),P(L),Y(L),L.isVideoTexture&&
 d.delete(L),L.isHTMLTexture&&u.delete(L)}function D(L){L.removeEventListener("dispose",F),P(L),ce(L)}function G(){for(let L of p){let T=L.deref();T!==void 0&&(T.
 isRenderTarget===!0?D(T):z(T))}p.clear(),u.clear()}function Y(L){let T=n.get(L);if(T.__webglInit===void 0)return;let $=L.source,he=f.get($);if(he){let oe=he[T.__cacheKey];
 oe.usedTimes--,oe.usedTimes===0&&W(L),Object.keys(he).length===0&&f.delete($)}n.remove(L)}function W(L){let T=n.get(L);i.deleteTexture(T.__webglTexture);let $=L.
@@ -3326,7 +3328,7 @@ pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(L,T,$){let he=i.TEXTURE_2D;(T.is
 (he=i.TEXTURE_3D);let oe=lt(L,T),_e=T.source;t.bindTexture(he,L.__webglTexture,i.TEXTURE0+$);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
 i.TEXTURE0+$),(typeof ImageBitmap<"u"&&T.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=T.colorSpace===fs?null:_t.getPrimaries(
 T.colorSpace),Je=T.colorSpace===fs||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
-T.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment);let ie=x(T.image,!1,s.maxTextureSize);
+T.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment);let ie=y(T.image,!1,s.maxTextureSize);
 ie=ze(T,ie);let pe=r.convert(T.format,T.colorSpace),O=r.convert(T.type),re=w(T.internalFormat,pe,O,T.normalized,T.colorSpace,T.isVideoTexture);ut(he,T);let ne,we=T.
 mipmaps,ge=T.isVideoTexture!==!0,be=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=M(T,ie);if(T.isDepthTexture)re=_(T.format===ds,T.type),be&&(ge?t.texStorage2D(
 i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(T.isDataTexture)if(we.length>0){ge&&be&&t.texStorage2D(
@@ -3360,7 +3362,7 @@ L.__version=T.version}function Qt(L,T,$){if(T.image.length!==6)return;let he=lt(
 let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+$);let ye=_t.getPrimaries(_t.workingColorSpace),te=T.colorSpace===fs?null:_t.
 getPrimaries(T.colorSpace),ie=T.colorSpace===fs||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 T.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=T.isCompressedTexture||T.image[0].
-isCompressedTexture,O=T.image[0]&&T.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=x(T.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?T.image[Ce].image:
+isCompressedTexture,O=T.image[0]&&T.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=y(T.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?T.image[Ce].image:
 T.image[Ce],re[Ce]=ze(T,re[Ce]);let ne=re[0],we=r.convert(T.format,T.colorSpace),ge=r.convert(T.type),be=w(T.internalFormat,we,ge,T.normalized,T.colorSpace),Ge=T.
 isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=M(T,ne);ut(i.TEXTURE_CUBE_MAP,T);let Je;if(T.isDepthTexture){if(be=_(T.format===ds,T.type),
 Ze)if(Ge)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,be,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,be,ne.width,ne.height,
@@ -3474,117 +3476,117 @@ _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } e
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
 let t=e.cameras[0].viewport,n=new zi({vertexShader:Sw,fragmentShader:ww,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new hi(new Qo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},md=class extends Bi{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,y=typeof XRWebGLBinding<"u",g=new pd,m={},x=t.getContextAttributes(),
+super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,x=typeof XRWebGLBinding<"u",m=new pd,g={},y=t.getContextAttributes(),
 S=null,b=null,C=[],w=[],_=new st,M=null,R=null,P=new On;P.viewport=new Wt;let I=new On;I.viewport=new Wt;let F=[P,I],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Qr,C[ee]=
 me),me.getHandSpace()};function Y(ee){let me=w.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=w[ee];me!==null&&(w[ee]=null,C[ee].disconnect(me))}D=null,G=null,g.reset();for(let ee in m)delete m[ee];
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=w[ee];me!==null&&(w[ee]=null,C[ee].disconnect(me))}D=null,G=null,m.reset();for(let ee in g)delete g[ee];
 if(e.setRenderTarget(S),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(_.width,_.height,!1),R!==null){let ee=R.camera;
 ee.fov=R.fov,ee.zoom=R.zoom,ee.updateProjectionMatrix(),R=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&qe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&qe("WebXRManager: C\
 annot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=
-function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return p},this.getSession=
+function(){return h!==null?h:f},this.getBinding=function(){return u===null&&x&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return p},this.getSession=
 function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(S=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
-"end",W),s.addEventListener("inputsourceschange",ce),x.xrCompatible!==!0&&await t.makeXRCompatible(),M=e.getPixelRatio(),e.getSize(_),y&&"createProjectionLayer"in
-XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;x.depth&&(Me=x.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=x.stencil?ds:rs,Ee=x.stencil?rr:Mi);let He={
+"end",W),s.addEventListener("inputsourceschange",ce),y.xrCompatible!==!0&&await t.makeXRCompatible(),M=e.getPixelRatio(),e.getSize(_),x&&"createProjectionLayer"in
+XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;y.depth&&(Me=y.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=y.stencil?ds:rs,Ee=y.stencil?rr:Mi);let He={
 colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
 h.textureWidth,h.textureHeight,!1),b=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new hs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
-void 0,void 0,void 0,void 0,xe),stencilBuffer:x.stencil,colorSpace:e.outputColorSpace,samples:x.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
-ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let xe={antialias:x.
-antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.
-setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:x.
+void 0,void 0,void 0,void 0,xe),stencilBuffer:y.stencil,colorSpace:e.outputColorSpace,samples:y.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
+ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let xe={antialias:y.
+antialias,alpha:!0,depth:y.depth,stencil:y.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.
+setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:y.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
 ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
-{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};
 function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=w.indexOf(xe);Ee>=0&&(w[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
 length;me++){let xe=ee.added[me],Ee=w.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=w.length){w.push(xe),Ee=He;break}else if(w[He]===null){w[He]=
 xe,Ee=He;break}if(Ee===-1)break}let Me=C[Ee];Me&&Me.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
-ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;g.texture!==null&&(g.depthNear>
-0&&(me=g.depthNear),g.depthFar>0&&(xe=g.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;m.texture!==null&&(m.depthNear>
+0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),z.near=I.near=P.near=me,z.far=I.far=P.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
 depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,P.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,Me=z.cameras;K(
 z,Ee);for(let He=0;He<Me.length;He++)K(Me[He],Ee);z.projectionMatrix.copy(P.projectionMatrix),z.projectionMatrixInverse.copy(P.projectionMatrixInverse),R===null&&
 ee.isPerspectiveCamera&&(R={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
 me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Cl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
-fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=
-function(){return g.getMesh(z)},this.getCameraTexture=function(ee){return m[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
+fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=
+function(){return m.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),p=me,d!==null){let xe=d.
 views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
 xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
 colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new On,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
-Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
-xe[0]);Ve&&Ve.isValid&&Ve.texture&&g.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
-length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=m[ut];lt||(lt=new Jo,m[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
+Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&x){u=n.getBinding();let Ve=u.getDepthInformation(
+xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&x){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
+length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Jo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
 let Ee=w[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Eg;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(g,m){
-g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function n(g,m){m.color.getRGB(g.fogColor.value,nd(i)),m.isFog?(g.fogNear.value=m.near,g.fogFar.
-value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,x,S,b){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?
-(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),u(g,m)):m.isMeshPhongMaterial?(r(g,m),d(g,m),m.envMap&&(g.envMapIntensity.
-value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),h(g,m),m.isMeshPhysicalMaterial&&f(g,m,b)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?
-r(g,m):m.isMeshDistanceMaterial?(r(g,m),y(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(
-g,m,x,S):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){
-g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.
-value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,
-g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===zn&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),
-g.normalScale.value.copy(m.normalScale),m.side===zn&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,
-g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,
-t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.
-value=m.alphaTest);let x=e.get(m),S=x.envMap,b=x.envMapRotation;S&&(g.envMap.value=S,g.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
-S.isCubeTexture&&S.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Og),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=
-m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=
-m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.
-value=m.map,t(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,x,S){
-g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*x,g.scale.value=S*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.
-alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.
-value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),
-m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function d(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function u(g,m){m.
-gradientMap&&(g.gradientMap.value=m.gradientMap)}function h(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,
-g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&
-(g.envMapIntensity.value=m.envMapIntensity)}function f(g,m,x){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&
-(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(
-m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&
-(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.
-value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.
-value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,
-t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===zn&&g.clearcoatNormalScale.value.negate())),
-m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.
-iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,
-m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.
-value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.
-value=x.texture,g.transmissionSamplerSize.value.set(x.width,x.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),
-g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,
-g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(
-m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,
-g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),
-m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&
-(g.matcap.value=m.matcap)}function y(g,m){let x=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(x.matrixWorld),g.nearDistance.value=x.shadow.camera.
-near,g.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(x,S){let b=S.program;
-n.uniformBlockBinding(x,b,s[x.id])}function a(x,S){let b=s[x.id];b===void 0&&(p(x),b=l(x),s[x.id]=b,x.addEventListener("dispose",g));let C=S.program;n.updateUBOMapping(
-x,C);let w=e.render.frame;r[x.id]!==w&&(c(x),r[x.id]=w)}function l(x){let S=i.createBuffer(),b=x.__size,C=x.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
-i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(x){let S=s[x.id],b=x.uniforms,C=x.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let w=0,_=b.
-length;w<_;w++){let M=b[w];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],w,R,C);else d(M,w,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(x,S,b,C){
-if(h(x,S,b,C)===!0){let w=x.__offset,_=x.value;if(Array.isArray(_)){let M=0;for(let R=0;R<_.length;R++){let P=_[R],I=y(P,!0);u(P,x.__data,M),M+=I.storage/Float32Array.
-BYTES_PER_ELEMENT}}else u(_,x.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,w,x.__data)}}function u(x,S,b){typeof x=="number"||typeof x=="boolean"?S[b]=x:x.isMatrix3?
-(S[b]=x.elements[0],S[b+1]=x.elements[1],S[b+2]=x.elements[2],S[b+3]=0,S[b+4]=x.elements[3],S[b+5]=x.elements[4],S[b+6]=x.elements[5],S[b+7]=0,S[b+8]=x.elements[6],
-S[b+9]=x.elements[7],S[b+10]=x.elements[8],S[b+11]=0):ArrayBuffer.isView(x)?S.set(x.subarray(0,S.length-b),b):x.toArray(S,b)}function h(x,S,b,C){let w=x.value,_=S+
-"_"+b;if(Array.isArray(w)){C[_]===void 0&&(C[_]=[]);let M=C[_],R=!1;for(let P=0;P<w.length;P++)f(w[P],M,P)===!0&&(R=!0);return R}return f(w,C,_)}function f(x,S,b){
-if(S[b]===void 0)return typeof x=="number"||typeof x=="boolean"?S[b]=x:ArrayBuffer.isView(x)?S[b]=x.slice():S[b]=x.clone(),!0;{let C=S[b];if(typeof x=="number"||
-typeof x=="boolean"){if(C!==x)return S[b]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function p(x){let S=x.uniforms,
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Tw=new xt,Og=new Qe;Og.set(-1,0,0,0,1,0,0,0,1);function Aw(i,e){function t(m,g){
+m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,nd(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
+value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,y,S,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
+(r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
+value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(m,g),h(m,g),g.isMeshPhysicalMaterial&&f(m,g,b)):g.isMeshMatcapMaterial?(r(m,g),p(m,g)):g.isMeshDepthMaterial?
+r(m,g):g.isMeshDistanceMaterial?(r(m,g),x(m,g)):g.isMeshNormalMaterial?r(m,g):g.isLineBasicMaterial?(o(m,g),g.isLineDashedMaterial&&a(m,g)):g.isPointsMaterial?l(
+m,g,y,S):g.isSpriteMaterial?c(m,g):g.isShadowMaterial?(m.color.value.copy(g.color),m.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(m,g){
+m.opacity.value=g.opacity,g.color&&m.diffuse.value.copy(g.color),g.emissive&&m.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(m.map.
+value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.bumpMap&&(m.bumpMap.value=g.bumpMap,t(g.bumpMap,
+m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===zn&&(m.bumpScale.value*=-1)),g.normalMap&&(m.normalMap.value=g.normalMap,t(g.normalMap,m.normalMapTransform),
+m.normalScale.value.copy(g.normalScale),g.side===zn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
+m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
+t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
+value=g.alphaTest);let y=e.get(g),S=y.envMap,b=y.envMapRotation;S&&(m.envMap.value=S,m.envMapRotation.value.setFromMatrix4(Tw.makeRotationFromEuler(b)).transpose(),
+S.isCubeTexture&&S.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Og),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
+g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
+g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
+value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,y,S){
+m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,m.size.value=g.size*y,m.scale.value=S*.5,g.map&&(m.map.value=g.map,t(g.map,m.uvTransform)),g.alphaMap&&(m.
+alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function c(m,g){m.diffuse.value.copy(g.color),m.opacity.
+value=g.opacity,m.rotation.value=g.rotation,g.map&&(m.map.value=g.map,t(g.map,m.mapTransform)),g.alphaMap&&(m.alphaMap.value=g.alphaMap,t(g.alphaMap,m.alphaMapTransform)),
+g.alphaTest>0&&(m.alphaTest.value=g.alphaTest)}function d(m,g){m.specular.value.copy(g.specular),m.shininess.value=Math.max(g.shininess,1e-4)}function u(m,g){g.
+gradientMap&&(m.gradientMap.value=g.gradientMap)}function h(m,g){m.metalness.value=g.metalness,g.metalnessMap&&(m.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,
+m.metalnessMapTransform)),m.roughness.value=g.roughness,g.roughnessMap&&(m.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,m.roughnessMapTransform)),g.envMap&&
+(m.envMapIntensity.value=g.envMapIntensity)}function f(m,g,y){m.ior.value=g.ior,g.diffuseRoughness>0&&(m.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&
+(m.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),g.sheen>0&&(m.sheenColor.value.copy(g.sheenColor).multiplyScalar(
+g.sheen),m.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(m.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,m.sheenColorMapTransform)),g.sheenRoughnessMap&&
+(m.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,m.sheenRoughnessMapTransform))),g.clearcoat>0&&(m.clearcoat.value=g.clearcoat,m.clearcoatRoughness.
+value=g.clearcoatRoughness,g.clearcoatMap&&(m.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,m.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.
+value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(m.clearcoatNormalMap.value=g.clearcoatNormalMap,
+t(g.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===zn&&m.clearcoatNormalScale.value.negate())),
+g.dispersion>0&&(m.dispersion.value=g.dispersion),g.retroreflectivity>0&&(m.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(m.iridescence.value=g.
+iridescence,m.iridescenceIOR.value=g.iridescenceIOR,m.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,
+g.iridescenceMap&&(m.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,m.iridescenceMapTransform)),g.iridescenceThicknessMap&&(m.iridescenceThicknessMap.
+value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),g.transmission>0&&(m.transmission.value=g.transmission,m.transmissionSamplerMap.
+value=y.texture,m.transmissionSamplerSize.value.set(y.width,y.height),g.transmissionMap&&(m.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,m.transmissionMapTransform)),
+m.thickness.value=g.thickness,g.thicknessMap&&(m.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=g.attenuationDistance,
+m.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(m.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(
+g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=g.specularIntensity,
+m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
+g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
+(m.matcap.value=g.matcap)}function x(m,g){let y=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(y.matrixWorld),m.nearDistance.value=y.shadow.camera.
+near,m.farDistance.value=y.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Ew(i,e,t,n){let s={},r={};function o(y,S){let b=S.program;
+n.uniformBlockBinding(y,b,s[y.id])}function a(y,S){let b=s[y.id];b===void 0&&(p(y),b=l(y),s[y.id]=b,y.addEventListener("dispose",m));let C=S.program;n.updateUBOMapping(
+y,C);let w=e.render.frame;r[y.id]!==w&&(c(y),r[y.id]=w)}function l(y){let S=i.createBuffer(),b=y.__size,C=y.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
+i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(y){let S=s[y.id],b=y.uniforms,C=y.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let w=0,_=b.
+length;w<_;w++){let M=b[w];if(Array.isArray(M))for(let R=0,P=M.length;R<P;R++)d(M[R],w,R,C);else d(M,w,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(y,S,b,C){
+if(h(y,S,b,C)===!0){let w=y.__offset,_=y.value;if(Array.isArray(_)){let M=0;for(let R=0;R<_.length;R++){let P=_[R],I=x(P,!0);u(P,y.__data,M),M+=I.storage/Float32Array.
+BYTES_PER_ELEMENT}}else u(_,y.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,w,y.__data)}}function u(y,S,b){typeof y=="number"||typeof y=="boolean"?S[b]=y:y.isMatrix3?
+(S[b]=y.elements[0],S[b+1]=y.elements[1],S[b+2]=y.elements[2],S[b+3]=0,S[b+4]=y.elements[3],S[b+5]=y.elements[4],S[b+6]=y.elements[5],S[b+7]=0,S[b+8]=y.elements[6],
+S[b+9]=y.elements[7],S[b+10]=y.elements[8],S[b+11]=0):ArrayBuffer.isView(y)?S.set(y.subarray(0,S.length-b),b):y.toArray(S,b)}function h(y,S,b,C){let w=y.value,_=S+
+"_"+b;if(Array.isArray(w)){C[_]===void 0&&(C[_]=[]);let M=C[_],R=!1;for(let P=0;P<w.length;P++)f(w[P],M,P)===!0&&(R=!0);return R}return f(w,C,_)}function f(y,S,b){
+if(S[b]===void 0)return typeof y=="number"||typeof y=="boolean"?S[b]=y:ArrayBuffer.isView(y)?S[b]=y.slice():S[b]=y.clone(),!0;{let C=S[b];if(typeof y=="number"||
+typeof y=="boolean"){if(C!==y)return S[b]=y,!0}else{if(ArrayBuffer.isView(y))return!0;if(C.equals(y)===!1)return C.copy(y),!0}}return!1}function p(y){let S=y.uniforms,
 b=0,C=16;for(let _=0,M=S.length;_<M;_++){let R=Array.isArray(S[_])?S[_]:[S[_]];for(let P=0,I=R.length;P<I;P++){let F=R[P],z=Array.isArray(F.value)?F.value:[F.value],
-D=Array.isArray(S[_])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
+D=Array.isArray(S[_])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=x(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
 (b+=C-ue),W===0&&(G=b),b+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((b-G)/Float32Array.BYTES_PER_ELEMENT),
-F.__offset=G}}let w=b%C;return w>0&&(b+=C-w),x.__size=b,x.__cache={},this}function y(x,S){let b={boundary:0,storage:0};return typeof x=="number"||typeof x=="boo\
-lean"?(b.boundary=4,b.storage=4):x.isVector2?(b.boundary=8,b.storage=8):x.isVector3||x.isColor?(b.boundary=16,b.storage=12):x.isVector4?(b.boundary=16,b.storage=
-16):x.isMatrix3?(b.boundary=16,b.storage=48):x.isMatrix4?(b.boundary=16,b.storage=64):x.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
-orms group."):ArrayBuffer.isView(x)?(b.boundary=16,b.storage=x.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",x),S===!0&&(b.boundary=16,b.storage=
-Math.ceil(b.storage/16)*16),b}function g(x){let S=x.target;S.removeEventListener("dispose",g),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function m(){
-for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+F.__offset=G}}let w=b%C;return w>0&&(b+=C-w),y.__size=b,y.__cache={},this}function x(y,S){let b={boundary:0,storage:0};return typeof y=="number"||typeof y=="boo\
+lean"?(b.boundary=4,b.storage=4):y.isVector2?(b.boundary=8,b.storage=8):y.isVector3||y.isColor?(b.boundary=16,b.storage=12):y.isVector4?(b.boundary=16,b.storage=
+16):y.isMatrix3?(b.boundary=16,b.storage=48):y.isMatrix4?(b.boundary=16,b.storage=64):y.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
+orms group."):ArrayBuffer.isView(y)?(b.boundary=16,b.storage=y.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",y),S===!0&&(b.boundary=16,b.storage=
+Math.ceil(b.storage/16)*16),b}function m(y){let S=y.target;S.removeEventListener("dispose",m),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function g(){
+for(let y in s)i.deleteBuffer(s[y]);s={},r={}}return{bind:o,update:a,dispose:g}}var Cw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3606,8 +3608,8 @@ for(let x in s)i.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}
 Bn,Hi.magFilter=Bn,Hi.wrapS=Oi,Hi.wrapT=Oi,Hi.generateMipmaps=!1,Hi.needsUpdate=!0),Hi}var Hc=class{constructor(e={}){let{canvas:t=Km(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let y=f,g=new Set([lc,ac,oc]),m=new Set([Hn,Mi,lo,rr,ic,sc]),
-x=new Uint32Array(4),S=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,w=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let x=f,m=new Set([lc,ac,oc]),g=new Set([Hn,Mi,lo,rr,ic,sc]),
+y=new Uint32Array(4),S=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,w=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Gi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,I=!1,F=null,z=null,D=null,
 G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,Me=1,He=null,nt=null,Ve=new Wt(
@@ -3622,13 +3624,13 @@ E}function Ze(){$e=new zM(B),$e.init(),ge=new Mw(B,$e),it=new RM(B,$e,e,ge),Se=n
 D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new HM(B),ze=new ow,Xe=new bw(B,$e,Se,ze,it,ge,Lt),L=new kM(P),T=new Xy(B),be=new EM(B,T),$=new VM(B,T,Lt,be),
 he=new XM(B,$,T,be,Lt),re=new WM(B,it,Xe),ie=new PM(ze),oe=new rw(P,L,$e,it,be,ie),_e=new Aw(P,ze),ye=new lw,te=new pw($e),O=new AM(P,L,Se,he,p,l),pe=new yw(P,he,
 it),Ge=new Ew(B,Lt,it,Se),ne=new CM(B,$e,Lt),we=new GM(B,$e,Lt),Lt.programs=oe.programs,P.capabilities=it,P.extensions=$e,P.properties=ze,P.renderLists=ye,P.shadowMap=
-pe,P.state=Se,P.info=Lt}y!==Hn&&(R=new qM(y,t.width,t.height,a,s,r));let le=new md(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+pe,P.state=Se,P.info=Lt}x!==Hn&&(R=new qM(x,t.width,t.height,a,s,r));let le=new md(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=$e.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
 let E=$e.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(E){E!==void 0&&(Me=E,this.setSize(
 xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){qe("WebGLRenderer: Can't change size while VR devi\
 ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*Me),t.height=Math.floor(k*Me),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),R!==null&&R.setSize(
 t.width,t.height),this.setViewport(0,0,E,k)},this.getDrawingBufferSize=function(E){return E.set(xe*Me,Ee*Me).floor()},this.setDrawingBufferSize=function(E,k,j){
-xe=E,Ee=k,Me=j,t.width=Math.floor(E*j),t.height=Math.floor(k*j),this.setViewport(0,0,E,k)},this.setEffects=function(E){if(y===Hn){Ke("WebGLRenderer: setEffects(\
+xe=E,Ee=k,Me=j,t.width=Math.floor(E*j),t.height=Math.floor(k*j),this.setViewport(0,0,E,k)},this.setEffects=function(E){if(x===Hn){Ke("WebGLRenderer: setEffects(\
 ) requires outputBufferType set to HalfFloatType or FloatType.");return}if(E){for(let k=0;k<E.length;k++)if(E[k].isOutputPass===!0){qe("WebGLRenderer: OutputPas\
 s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}R.setEffects(E||[])},this.getCurrentViewport=function(E){
 return E.copy(se)},this.getViewport=function(E){return E.copy(Ve)},this.setViewport=function(E,k,j,q){E.isVector4?Ve.set(E.x,E.y,E.z,E.w):Ve.set(E,k,j,q),Se.viewport(
@@ -3636,8 +3638,8 @@ se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.
 ut.set(E,k,j,q),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
-clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=g.has(Te)}if(Z){let Te=ce.texture.type,Pe=m.has(Te),Ae=O.getClearColor(),
-Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(x[0]=ke,x[1]=je,x[2]=dt,x[3]=Ie,B.clearBufferuiv(B.COLOR,0,x)):(S[0]=ke,S[1]=je,S[2]=dt,S[3]=Ie,B.clearBufferiv(
+clear=function(E=!0,k=!0,j=!0){let q=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=m.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
+Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(y[0]=ke,y[1]=je,y[2]=dt,y[3]=Ie,B.clearBufferuiv(B.COLOR,0,y)):(S[0]=ke,S[1]=je,S[2]=dt,S[3]=Ie,B.clearBufferiv(
 B.COLOR,0,S))}else q|=B.COLOR_BUFFER_BIT}k&&(q|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(q|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
 setMask(4294967295)),q!==0&&B.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
 this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener(
@@ -3836,13 +3838,13 @@ l=a.point;for(let c=0;c<3;c++)l.getComponent(c)<e.getComponent(c)&&(e.setCompone
 c)&&(t.setComponent(c,l.getComponent(c)),s[c]=a)}return this.tolerance=3*Number.EPSILON*(Math.max(Math.abs(e.x),Math.abs(t.x))+Math.max(Math.abs(e.y),Math.abs(t.
 y))+Math.max(Math.abs(e.z),Math.abs(t.z))),{min:n,max:s}}_computeInitialHull(){let e=this.vertices,t=this._computeExtremes(),n=t.min,s=t.max,r=0,o=0;for(let h=0;h<
 3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Bg.set(a.point,l.point);for(let h=0,f=this.vertices.
-length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Bg.closestPointToPoint(p.point,!0,kg);let y=kg.distanceToSquared(p.point);y>r&&(r=y,c=p)}}r=-1,gd.setFromCoplanarPoints(
-a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c){let y=Math.abs(gd.distanceToPoint(p.point));y>r&&(r=y,d=
+length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Bg.closestPointToPoint(p.point,!0,kg);let x=kg.distanceToSquared(p.point);x>r&&(r=x,c=p)}}r=-1,gd.setFromCoplanarPoints(
+a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c){let x=Math.abs(gd.distanceToPoint(p.point));x>r&&(r=x,d=
 p)}}let u=[];if(gd.distanceToPoint(d.point)<0){u.push(Ti.create(a,l,c),Ti.create(d,l,a),Ti.create(d,c,l),Ti.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ti.create(a,c,l),Ti.create(d,a,l),Ti.create(d,l,c),Ti.create(d,
 c,a));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+1].getEdge(2).setTwin(u[0].getEdge((3-h)%3)),u[h+1].getEdge(0).setTwin(u[f+1].getEdge(1))}}for(let h=0;h<4;h++)this.
-faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let y=null;for(let g=0;g<4;g++){let m=this.faces[g].
-distanceToPoint(p.point);m>r&&(r=m,y=this.faces[g])}y!==null&&this._addVertexToFace(p,y)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
+faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c&&p!==d){r=this.tolerance;let x=null;for(let m=0;m<4;m++){let g=this.faces[m].
+distanceToPoint(p.point);g>r&&(r=g,x=this.faces[m])}x!==null&&this._addVertexToFace(p,x)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
 let n=this.faces[t];n.mark===qc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
 mark=Pw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
@@ -3875,17 +3877,17 @@ i)?[1,1,1]:bd(i);var ps=0;var Wg=2,jc=3,Dw=32767,Uw=new xt().makeScale(0,0,0);fu
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
 i}function Ow(i,e){if(i==="marks")return new cs({wireframe:!0,depthTest:!1});let t=new ta;return e?Fw(t):t}function Xg(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
-for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),y=i==="marks"?"ma\
-rks":Gg(p);h.has(y)||h.set(y,{body:p,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let y=Vg(f),g=i==="marks"?new no(.5):y.geometry(f),
-m=new Rs(g,Ow(i,y.has_edges),p.length);return m.frustumCulled=!1,i==="marks"&&(m.renderOrder=2),n.add(m),{mesh:m,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,y=new V,g=new kn,m=new V,x=new rt;for(let{mesh:S,rows:b}of r)
-b.forEach((C,w)=>{if(!(h&&C<h.rows&&h.mark[C]!==ps&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(w,Uw);else{let M=o.body(C),R=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(m.setScalar(Math.min(...bd(M))),g.identity()):(m.set(...Hg(M)),g.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),S.setMatrixAt(
-w,p.compose(y,g,m))}x.copy(d),f.colour?.(C,x,h),S.setColorAt(w,x)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
-null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new Rs(
-new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:y,size:g},m)=>{f.setMatrixAt(
-m,p.compose(new V(...y),new kn,new V().setScalar(g)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let y=[];return f.raycast(h,y),y.map(g=>({distance:g.
-distance,row:p[g.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),x=i==="marks"?"ma\
+rks":Gg(p);h.has(x)||h.set(x,{body:p,rows:[]}),h.get(x).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let x=Vg(f),m=i==="marks"?new no(.5):x.geometry(f),
+g=new Rs(m,Ow(i,x.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,x=new V,m=new kn,g=new V,y=new rt;for(let{mesh:S,rows:b}of r)
+b.forEach((C,w)=>{if(!(h&&C<h.rows&&h.mark[C]!==ps&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(w,Uw);else{let M=o.body(C),R=h.rows;x.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(g.setScalar(Math.min(...bd(M))),m.identity()):(g.set(...Hg(M)),m.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),S.setMatrixAt(
+w,p.compose(x,m,g))}y.copy(d),f.colour?.(C,y,h),S.setColorAt(w,y)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
+null;u.mark_lost(f.lost??[])},mark_lost(h){for(let x of[...s.children])s.remove(x),x.geometry.dispose(),x.material.dispose();if(h.length===0)return;let f=new Rs(
+new no(.7),new cs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:x,size:m},g)=>{f.setMatrixAt(
+g,p.compose(new V(...x),new kn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let x=[];return f.raycast(h,x),x.map(m=>({distance:m.
+distance,row:p[m.instanceId]}))})}};return u}function $g(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Dw*s)});return t}var qg=1e3/30,Bw=[.05,.1,.25,.5,1,2,4,8,16],kw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
  6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Yg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
 ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(kw[i],'\
 "/></svg>'),e}function ks(i,e,t){let n=X("button",{type:"button",className:i,title:e},Yg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
@@ -3895,15 +3897,15 @@ list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_
 played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
 "aria-label",n);let h=X("select",{className:"speed"},...Bw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
 "speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
-activeElement!==f&&(f.value=o),t(o)},y=()=>{clearInterval(a),a=null;let R=l!==0;l=0,w(),R&&r(0)},g=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
-m=R=>{y(),g(R)},x=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,g(c),(l>0?c>=i.last:c<=i.first)&&y()},S=R=>{if(l===
-R)return y();y(),l=R,R>0&&o>=i.at_or_before(i.last)&&g(i.first),R<0&&o<=i.first&&g(i.last),c=o,d=performance.now(),a=setInterval(x,qg),w(),r(R)},b=ks("play","pl\
+activeElement!==f&&(f.value=o),t(o)},x=()=>{clearInterval(a),a=null;let R=l!==0;l=0,w(),R&&r(0)},m=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
+g=R=>{x(),m(R)},y=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,m(c),(l>0?c>=i.last:c<=i.first)&&x()},S=R=>{if(l===
+R)return x();x(),l=R,R>0&&o>=i.at_or_before(i.last)&&m(i.first),R<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(y,qg),w(),r(R)},b=ks("play","pl\
 ay",()=>S(1)),C=ks("back","play backwards",()=>S(-1));function w(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
-Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{y(),g(i.beside(o,R))};return u.addEventListener("input",()=>m(Number(u.
+Yg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{x(),m(i.beside(o,R))};return u.addEventListener("input",()=>g(Number(u.
 value))),u.addEventListener("keydown",R=>{let P={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[R.key];P===void 0||R.ctrlKey||R.metaKey||
-R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{m(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
-player"},ks("first","first step",()=>m(i.first)),C,ks("less","one step back",()=>_(-1)),ks("more","one step on",()=>_(1)),b,ks("last","last step",()=>m(i.last)),
-h,u,f):X("div",{className:"player"},C,ks("less","one step back",()=>_(-1)),ks("more","one step on",()=>_(1)),b,u),slider:u,seek:m,move:_,play:S,stop:y,get step(){
+R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
+player"},ks("first","first step",()=>g(i.first)),C,ks("less","one step back",()=>_(-1)),ks("more","one step on",()=>_(1)),b,ks("last","last step",()=>g(i.last)),
+h,u,f):X("div",{className:"player"},C,ks("less","one step back",()=>_(-1)),ks("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:S,stop:x,get step(){
 return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*qg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
 f.max=R,P},refresh:p}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
@@ -3916,29 +3918,29 @@ activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive
 i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function th(i,e){
 let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
 n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var zw=.07,Vw=.25;function Md(i,e){let t=new Vn,n=new Ns(.5,.5,1,6).translate(0,.5,0),s=new jo(.5,1,10).translate(0,.5,0),r=new cs({color:i,depthTest:!1,transparent:!0,
-opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new Rs(y,r,a.length)),u=zw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:y,normal:g,impulse:m},x)=>{let S=u*Math.max(Vw,Math.sqrt(Math.max(0,m)/h)),b=new kn().
-setFromUnitVectors(f,new V(...g).normalize()),C=new V(...y),w=u*.05*e;c.setMatrixAt(x,p.compose(C,b,new V(w,S*.7,w)));let _=new V(0,S*.7,0).applyQuaternion(b).add(
-C);d.setMatrixAt(x,p.compose(_,b,new V(w*3.4,S*.3,w*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var wd=40,Gw=2;function Hw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+opacity:.9}),o=[];return{group:t,show(a,l){for(let x of o)t.remove(x),x.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(x=>new Rs(x,r,a.length)),u=zw*
+l,h=Math.max(...a.map(x=>x.impulse),1e-30),f=new V(0,1,0),p=new xt;a.forEach(({at:x,normal:m,impulse:g},y)=>{let S=u*Math.max(Vw,Math.sqrt(Math.max(0,g)/h)),b=new kn().
+setFromUnitVectors(f,new V(...m).normalize()),C=new V(...x),w=u*.05*e;c.setMatrixAt(y,p.compose(C,b,new V(w,S*.7,w)));let _=new V(0,S*.7,0).applyQuaternion(b).add(
+C);d.setMatrixAt(y,p.compose(_,b,new V(w*3.4,S*.3,w*3.4)))});for(let x of o)x.frustumCulled=!1,x.renderOrder=3,t.add(x)}}}var wd=40,Gw=2;function Hw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new to(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
 n}function Sd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Ww(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(wd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
 Gw));let{radius:o}=t,a=new Ho,l=new On(wd,1,o/200,o*200);l.up.set(0,0,1);let c=new io("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new io("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new ra("#ffffff","#c9d1da",1.9),c,d),s){let _=new ha(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
-a.add(_)}let u=Ww(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let y=new Map,
-g=!1,m=!1,x=0,S=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
-u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>g&&h.length===2?2:1,C=()=>{cancelAnimationFrame(x),x=0,m=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
+a.add(_)}let u=Ww(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=[Md(e.contact,1),Md(e.expected,.7)];for(let{group:_}of p)a.add(_);let x=new Map,
+m=!1,g=!1,y=0,S=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
+u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(y),y=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
 Math.max(1,_.y),l.updateProjectionMatrix(),S(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
-P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of y.values())F.visible=
-M===1||I===R;r.render(a,l)}},w=()=>{x||=requestAnimationFrame(C)};return{view:u,draw:w,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
-{describe(P){R.describe(P),w()},show(P,I){R.show(P,I),w()}}},set_side_by_side(_){g=_,h[1]?.set_ghost(!_),w()},set_lines(_,M){if(y.has(_)&&Sd(y.get(_).line),y.delete(
+P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of x.values())F.visible=
+M===1||I===R;r.render(a,l)}},w=()=>{y||=requestAnimationFrame(C)};return{view:u,draw:w,draw_now:C,add_session(_,M){let R=Xg(_,M,e);return h.push(R),a.add(R.group),
+{describe(P){R.describe(P),w()},show(P,I){R.show(P,I),w()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),w()},set_lines(_,M){if(x.has(_)&&Sd(x.get(_).line),x.delete(
 _),M&&M.points.length>0){let{points:R,colour:P,dash:I,on_top:F}=M,z={color:P,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new na({...z,dashSize:I,gapSize:.7*
-I}):new Is(z),G=Hw(R,D);G.renderOrder=F?2:1,f.add(G),y.set(_,{line:G,session:M.session??0})}w()},set_arrows(_,M=0){p[M].show(_,u.distance),w()},pick(_,M){let R=b(),
+I}):new Is(z),G=Hw(R,D);G.renderOrder=F?2:1,f.add(G),x.set(_,{line:G,session:M.session??0})}w()},set_arrows(_,M=0){p[M].show(_,u.distance),w()},pick(_,M){let R=b(),
 P=Math.min(R-1,Math.floor(_*R));S(),l.updateMatrixWorld();let I=new la;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
 I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),w()},zoom(_){
 u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),w()},pan(_,M){S(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(wd/2*Math.PI/180),P=new V().setFromMatrixColumn(
 l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),w()},look_at(_){u.centre.set(..._),w()},
-resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),m?C():w())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
+resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),g?C():w())},dispose(){for(let _ of h)Sd(_.group);Sd(f),a.traverse(_=>{_.geometry?.dispose(),
 _.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Ad=2,Xw=.05,$w=40,qw=.15,zs=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Yw(i){let{actual_mm:e,expected_mm:t}=i.
 frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=zs(n,o),l=zs(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Zw(i,e){
 let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Ad,Xw*Math.min(t,r>0?r:t))})}
@@ -4013,73 +4015,74 @@ session:1}:null))}resize(){let{clientWidth:e,clientHeight:t}=this.place;e>0&&thi
 e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bod").concat(t.count===
 1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.
 some(o=>o>0)&&r.push(lr("bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{
-head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,y]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f,"\
- to ").concat(p,": ").concat(y)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline \
+head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,x]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f,"\
+ to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline \
 was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows places in m, z up").concat(
 t?", and names the first difference by the table's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.
-first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps,
-" states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,
-", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts\
- begun are not counted: ".concat(n)]),e}function t0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",
-hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X(
-"span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(
-...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.
-title})]:[],...n1(l)])),n.replaceChildren(...i1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){
-s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,Vs=i=>String(typeof i=="number"?i:i??"\u2013"),ms=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
+first+1," states (one in ").concat(l.every,", and those of inputs)"):s.gaps().length>0?"has every state that could be read":"has every state",u=!a.ours&&l.contact_steps===
+0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";
+e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].
+rows.begun_why_not;return n&&e.push(["","Contacts begun are counted no further: ".concat(n)]),e}function t0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X(
+"div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;
+e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat(
+"ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&
+c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...n1(l)])),n.replaceChildren(...i1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};
+return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,
+"). ")+"If tumble view was ended, start it again."}}}var s1=12,Vs=i=>String(typeof i=="number"?i:i??"\u2013"),ms=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Gs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
 function r1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ms("","number");if(a!==null&&
 n){let u=X("button",{type:"button",className:"link",textContent:"plot"}),h=()=>u.setAttribute("aria-pressed",String(n.has(a,e,l??0)));u.setAttribute("aria-label",
 "plot ".concat(c," in the timeline")),u.addEventListener("click",()=>{n.flip(a,e,l??0),h()}),h(),d.append(u)}return cr(X("th",{scope:"row",textContent:c}),ms(o,
 "number"),d)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...s)))}function i0(i,{id:e,
-label:t,name:n,shape:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2?["A","B"]:["value"],u=r.find(m=>m.why_not),h=X("table",{className:"\
-numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field"}),...d.map(m=>X("th",{scope:"col",textContent:m,className:"\
-number"})))));let f=X("tbody"),p=r.find(m=>m.fields);for(let[m,{field:x}]of(p?.fields??[]).entries()){let S=r.map(_=>_.fields?.[m]),b=S.map(_=>_?.hex??String(_?.
-value)),C=b.length===2&&b[0]!==b[1],w=cr(X("th",{scope:"row",textContent:x}),...S.map(_=>{let M=ms("","number");return _&&c?M.append(Pn(Vs(_.value),()=>c(x),"".
-concat(_.hex??""," \u2013 where does it come from?"),"".concat(x," ").concat(Vs(_.value),": where does it come from?"))):M.textContent=Vs(_?.value),_?.hex&&(M.title=
-_.hex),M}));w.classList.toggle("differs",C),f.append(w)}h.append(f);let y=[...n===t||s.startsWith(n)?[]:[n],s];p&&y.push(p.frozen?"asleep":"awake"),r.filter(m=>m.
-fields).length===1&&r.length===2&&r.some(({absent:m})=>m)&&y.push("only in ".concat(p===r[0]?"A":"B")),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(
-/^body /,"Body ")})," ".concat(y.join(" \xB7 "))),o),p&&i.append(X("div",{className:"scroll"},h)),p?.channels?.length>0&&i.append(r1(p.channels,e,a,l)),u&&i.append(
-X("p",{className:"soft",textContent:"".concat(r.length===2?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),p?.rounded&&i.append(X("p",{className:"\
-soft",textContent:"Rounded in this page; tumble dump prints every bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X(
-"p",{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.
-append(X("p",{},"The nearest with contacts: ",Pn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort(
-(h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce(
-(h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X(
-"tbody",{},...a.map(h=>{let f=ms(""),p=y=>Pn(n.short(y),()=>s(y),"",n.label(y));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ms("".concat(
-Number((h[9]??0).toPrecision(3))," N s"),"number"),ms(An(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thea\
-d",{},cr(X("th",{scope:"col",textContent:"bodies"}),X("th",{scope:"col",textContent:"impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"\
-number"}))),d);i.append(X("div",{className:"scroll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function r0(i,e,t,n,s,r){
-if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"so\
-ft",textContent:e.why_not}));let o=X("p",{},Pn(t.label(e.body).replace(/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").
-concat(Vs(e.value)," ").concat(e.unit)),a=X("ol",{className:"blame"},...e.answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(
-l.substep),d=X("li",{},Pn("step ".concat(l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(
-X("ul",{className:"shares"},...l.shares.map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.
-label(u.with),()=>s(u.with))),h.append(": ".concat(Vs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",
-textContent:e.ends}));for(let l of e.notes??[])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Fu\
-rther back"});l.addEventListener("click",()=>r(e.answers.length+5)),i.append(X("p",{},l))}}var n0=(i,e)=>"".concat(Vs(i)).concat(e?" (".concat(e,")"):"");function o1(i,e){
-if(i.why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ms("","number");s.step===null?
-r.textContent="never":r.append(Pn(String(s.step),()=>e(s.step),"","step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ms(s.step===null?
-"":String(s.substep),"number"),ms(String(s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];
-return X("div",{className:"scroll"},X("table",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").
-concat(i.last)}),X("thead",{},cr(...n.map((s,r)=>X("th",{scope:"col",textContent:s,className:r>0?"number":""})))),t))}function Cd(i){if(!i||i.state==="working")
-return"";if(i.state==="failed")return i.why;let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(
-i.every_bit,"."):n===s?"Different: ".concat(i.unequal,"; the ").concat(i.steps," steps of both are the same in all else that was compared."):"The ".concat(i.steps,
-" steps of both are the same; A ends with step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==
-null&&t.push("substep ".concat(e.substep)),"First difference: ".concat(t.join(", "))}function o0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.
-floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(l," \u2026")}))}let r=Cd(e);if(e.state==="failed")
-return i.replaceChildren(X("p",{className:"bad",textContent:r}));let o=[],a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(
-X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join(
-"; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),e.cause&&o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=l.step!==a.
-step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append("Effect: ",Pn("step ".concat(l.step),()=>n(l.step)),", phase ".concat(l.phase,", ")),l.body!==
-null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),l.field==="body"?d.append("only in ".concat(l.actual===null?"A":"B")):d.append("".concat(l.field,": ").concat(n0(
-l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;u!==
-null&&d.append(", ".concat(u," ULPs apart")),o.push(d);let h=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});if(h.addEventListener(
-"click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{type:"button",className:"jump",textContent:"Go to the first state that differs"});p.addEventListener(
-"click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,step:y,body:g})=>X("l\
-i",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(y),()=>n(y)),", ",Pn(t(g),()=>s(g)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"\
-Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));
-return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+label:t,name:n,shape:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2,u=r.find(m=>m.why_not),h=X("table",{className:"numbers",ariaLabel:"\
+values of ".concat(t)});h.append(X("thead",{},cr(X("th",{scope:"col",textContent:"field",colSpan:d?2:1}),X("th",{scope:"col",textContent:"value",className:"numb\
+er"}))));let f=r.find(m=>m.fields);for(let[m,{field:g}]of(f?.fields??[]).entries()){let y=r.map(C=>C.fields?.[m]),S=y.map(C=>C?.hex??String(C?.value)),b=y.map((C,w)=>{
+let _=ms("","number");C&&c?_.append(Pn(Vs(C.value),()=>c(g),"".concat(C.hex??""," \u2013 where does it come from?"),"".concat(g," ").concat(Vs(C.value),": where\
+ does it come from?"))):_.textContent=Vs(C?.value),C?.hex&&(_.title=C.hex);let M=w>0?[]:[X("th",{scope:d?"rowgroup":"row",rowSpan:r.length,textContent:g})];d&&M.
+push(X("th",{scope:"row",textContent:"AB"[w]}));let R=cr(...M,_);return R.classList.toggle("differs",S.length===2&&S[0]!==S[1]),R});h.append(X("tbody",{className:d?
+"pair":""},...b))}let p=[...t.includes(n)||s.startsWith(n)?[]:[n],s];f&&p.push(f.frozen?"asleep":"awake"),r.filter(m=>m.fields).length===1&&d&&r.some(({absent:m})=>m)&&
+p.push("only in ".concat(f===r[0]?"A":"B")),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(/^body /,"Body ")})," ".concat(p.join(" \xB7 "))),o),f&&
+i.append(X("div",{className:"scroll"},h)),f?.channels?.length>0&&i.append(r1(f.channels,e,a,l)),u&&i.append(X("p",{className:"soft",textContent:"".concat(d?"".concat(
+r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),f?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; tumble dump prints every\
+ bit."}))}function s0(i,e,{selected:t,bodies:n,select:s,go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(
+X("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",Pn("step ".concat(e.near),()=>r(
+e.near))));return}let o=e.rows.filter(([h,f])=>t===null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,s1),l="".concat(o.length," contact poin\
+t").concat(o.length===1?"":"s").concat(t===null?"":" of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".
+concat(l).concat(o.length>0?", deepest ".concat(An(c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=ms(""),p=x=>Pn(n.short(x),()=>s(x),"",n.
+label(x));return f.append(p(h[0])," \u2013 ",h[1]===0?"ground":p(h[1])),cr(f,ms("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),ms(An(h[8]),"number"))})),
+u=X("table",{className:"numbers",ariaLabel:"contacts, the strongest first"},X("thead",{},cr(X("th",{scope:"col",textContent:"bodies"}),X("th",{scope:"col",textContent:"\
+impulse",className:"number"}),X("th",{scope:"col",textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scroll"},u)),o.length>a.length&&i.append(
+X("p",{className:"soft",textContent:"The strongest are listed."}))}function r0(i,e,t,n,s,r){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\
+Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X("p",{},Pn(t.label(e.body).replace(
+/^body /,"Body "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(Vs(e.value)," ").concat(e.unit)),a=X("ol",{className:"blame"},...e.
+answers.map(l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},Pn("step ".concat(l.step),()=>n(l.step))," \xB7 ",X(
+"strong",{textContent:c}),X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.map(u=>{let h=X("li",{},"".concat(
+u.kind));return u.kind==="contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.label(u.with),()=>s(u.with))),h.append(": ".concat(Vs(u.amount)," ").concat(
+l.unit)),h}))),d}));i.replaceChildren(o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??[])i.append(X("p",{className:"so\
+ft",textContent:l}));if(!e.complete){let l=X("button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(e.answers.length+5)),i.append(
+X("p",{},l))}}var n0=(i,e)=>"".concat(Vs(i)).concat(e?" (".concat(e,")"):"");function o1(i,e){if(i.why_not)return X("p",{className:"soft",textContent:"Phases: ".
+concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=ms("","number");s.step===null?r.textContent="never":r.append(Pn(String(s.step),()=>e(s.step),"","\
+step ".concat(s.step)));let o=cr(X("th",{scope:"row",textContent:s.phase}),r,ms(s.step===null?"":String(s.substep),"number"),ms(String(s.steps),"number"));return o.
+classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("table",{className:"numbers pha\
+ses"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},cr(...n.map((s,r)=>X("th",{scope:"col",
+textContent:s,className:r>0?"number":""})))),t))}function Cd(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;let{first:e}=i;if(!e){let[
+n,s]=i.last;return i.identical?"Identical: ".concat(i.steps," steps, the same in ").concat(i.every_bit,"."):n===s?"Different: ".concat(i.unequal,"; the ").concat(
+i.steps," steps of both are the same in all else that was compared."):"The ".concat(i.steps," steps of both are the same; A ends with step ").concat(n,", B with\
+ step ").concat(s,".")}let t=["step ".concat(e.step),"phase ".concat(e.phase)];return e.substep!==null&&t.push("substep ".concat(e.substep)),"First difference: ".
+concat(t.join(", "))}function o0(i,e,t,n,s){if(!e||e.state==="working"){let l=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"\
+Comparing every byte of both".concat(l," \u2026")}))}let r=Cd(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));let o=[],
+a=e.first;if(!a)o.push(X("p",{className:e.identical?"good":"bad",textContent:r})),o.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),
+X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),e.cause&&
+o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=l.step!==a.step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append("Effec\
+t: ",Pn("step ".concat(l.step),()=>n(l.step)),", phase ".concat(l.phase,", ")),l.body!==null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),l.field==="body"?d.append(
+"only in ".concat(l.actual===null?"A":"B")):d.append("".concat(l.field,": ").concat(n0(l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));
+let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;u!==null&&d.append(", ".concat(u," ULPs apart")),o.push(d);let h=X("button",{
+type:"button",className:"jump",textContent:"Go to the first difference"});if(h.addEventListener("click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{
+type:"button",className:"jump",textContent:"Go to the first state that differs"});p.addEventListener("click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.
+marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,step:x,body:m})=>X("li",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(
+x),()=>n(x)),", ",Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&
+o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d  D","the first difference, the first state that differs"],["/","search"],["n  N","ne\
 xt run of steps found, the one before"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in \
 the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s,
@@ -4093,18 +4096,18 @@ s.target.closest("input:not([type=range]), select, textarea")||s.target.closest(
 s"},...a1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Rd=i=>i==null?"\u2013":String(i),c0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),h0=(i,e)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
 Number(i.toPrecision(6))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),l1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
 "\u2013",u0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:l1,top:i=>Math.max(1,...c1(i.bodies))},{name:"contacts",kind:"line",of:(i,e)=>i.
-contacts[e],words:(i,e)=>Rd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Rd(i.begun[e]),late:!0},{name:"energy",kind:"\
-line",of:(i,e)=>i.energy(e),words:(i,e)=>Ro(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Ro(i.kinetic[e])},{name:"\
-highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(c0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):c0(i.speed[e])},{name:"\
-deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>An(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,words:(i,e)=>Rd(i.lost[e]),
-bad:!0,only_if_any:!0}];function c1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var d0=i=>i.map((e,t)=>({name:e,kind:"line",title:"\
-up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.broken[s]??null;if(r===
-null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":"\u2713 holds")}})),
-f0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>h0(s(a,l),t),o=n==="step"?"":", largest of ".concat(n);return{
-name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".concat(e).concat(o),of:s,words:r}});function p0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<t.step.
-length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??null},r=(o,a)=>h0(s(o,a),e);return{name:i,kind:"line",fit:!0,title:"channel ".concat(i),of:s,
-words:r}}function m0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:
-null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var h1=8,sh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
+contacts_told(e),words:(i,e)=>Rd(i.contacts_told(e)),late:!0},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Rd(i.begun[e]),late:!0},
+{name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Ro(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Ro(
+i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(c0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):
+c0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>An(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,
+words:(i,e)=>Rd(i.lost[e]),bad:!0,only_if_any:!0}];function c1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var d0=i=>i.map((e,t)=>({
+name:e,kind:"line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.
+broken[s]??null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":
+"\u2713 holds")}})),f0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>h0(s(a,l),t),o=n==="step"?"":", largest of\
+ ".concat(n);return{name:"".concat(e).concat(o),kind:"line",fit:!0,parts:!0,title:"channel ".concat(e).concat(o),of:s,words:r}});function p0(i,e,t){let n=new Map,
+s=(o,a)=>{for(;n.size<t.step.length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??null},r=(o,a)=>h0(s(o,a),e);return{name:i,kind:"line",fit:!0,
+parts:!0,title:"channel ".concat(i),of:s,words:r}}function m0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.
+has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var h1=8,sh=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
 return this.chosen.has(this.key(e,t,n))}lanes(){return[...this.chosen.values()].map(({lane:e})=>e)}flip(e,t,n){let s=this.key(e,t,n);if(!this.chosen.delete(s)){
 let[{rows:r,bodies:o}]=this.page.sessions,{name:a,unit:l}=r.channel_heads[e],c=n?"".concat(o.label(t)," and ").concat(o.label(n)):o.label(t),d={step:[],value:[]};
 this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:p0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>h1&&this.chosen.delete(this.chosen.keys().next().value),
@@ -4136,8 +4139,8 @@ e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel
 X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,text:o})=>{let a=X("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.
 addEventListener("click",()=>this.page.player.seek(n)),X("li",{},a," ".concat(s).concat(r===null?"":" ".concat(this.sessions[0].bodies.short(r))," ").concat(o))}))),
 e.length>t.length&&this.input_panel.body.append(X("p",{className:"soft",textContent:"and ".concat(e.length-t.length," more")}))}};var oh=Di({speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},
-kinetic:{of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],unit:"J"},energy:{of:(i,e)=>i.energy(e),unit:"J"},contacts:{of:(i,e)=>i.contacts[e],
-unit:""},begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],
+kinetic:{of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],unit:"J"},energy:{of:(i,e)=>i.energy(e),unit:"J"},contacts:{of:(i,e)=>i.contacts_told(
+e),unit:""},begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],
 unit:""},broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}}),ah=Di({speed:{of:(i,e)=>i.speed[e],
 unit:"m/s"},spin:{of:(i,e)=>i.spin?.[e]??null,unit:"rad/s"},height:{of:(i,e)=>i.z[e],unit:"m"},x:{of:(i,e)=>i.x[e],unit:"m"},y:{of:(i,e)=>i.y[e],unit:"m"},z:{of:(i,e)=>i.
 z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>u1(i,e,t),unit:"m"}});function u1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
@@ -4148,9 +4151,9 @@ kind:"wrong",words:'"'.concat(n[2],'" is not the unit of ').concat(e,", which ")
  no number')}}function g0(i,e){let t=/^channel\.(.+)$/i.exec(i)?.[1];return t!==void 0&&!(i in e)&&t in e?t:null}function _0(i,e){let t=i.split(/(\s+and\s+)/i),
 n=[];for(let s=1;s<t.length;s+=2)n.push([t.slice(0,s).join(""),t.slice(s+1).join("")]);return n.find(s=>s.every(e))??n[0]??[i]}function x0(i,e=[]){let t=Di(Object.
 fromEntries(e.map(({name:f,unit:p})=>[f,p]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+(\d+)$/i.exec(n);if(s)return{kind:"step",step:Number(s[1])};
-let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,y,g={})=>{let{
-bound:m,...x}=p1(r[3],p,y);return m===void 0?x:{kind:f,quantity:p,unit:y,comparison:l,bound:m,...g}},d=(f,p,y)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
-ity').concat(p,"; there are ").concat(y.flatMap(Object.keys).join(", "))}),u=g0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
+let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=f1[r[2]]??r[2],c=(f,p,x,m={})=>{let{
+bound:g,...y}=p1(r[3],p,x);return g===void 0?y:{kind:f,quantity:p,unit:x,comparison:l,bound:g,...m}},d=(f,p,x)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
+ity').concat(p,"; there are ").concat(x.flatMap(Object.keys).join(", "))}),u=g0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
 exec(o);if(h){let f=h[1].toLowerCase(),p=g0(h[1],t);return p!==null?c("channel steps",p,t[p],{body:h[2]}):f in ah?c("body steps",f,ah[f].unit,{body:h[2]}):h[1]in
 t?c("channel steps",h[1],t[h[1]],{body:h[2]}):d(h[1]," of a body",[ah,t])}return a in oh?c("steps",a,oh[a].unit):o in t?c("steps",o,t[o]):d(o,"",[oh,t])}function y0(i,e,t){
 let{of:n,body:s}=(i.channel===void 0?oh[i.quantity]:void 0)??{of:(r,o)=>e.channels[i.quantity]?.[o]??null};return Id(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function v0(i,e,t){
@@ -4158,35 +4161,35 @@ let{of:n}=ah[i.quantity];return Id(i,e.step,s=>n(e,s,t),()=>null)}function Pd(i,
 r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,!(d&&s(c,i.bound))){a=null;continue}a||(a={first:e[l],last:e[l],peak:c,at:e[l],body:n(
 l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var lh=12,m1={">":": up to ",">=":": up to ","<":": down to ","<=":": down to ","=":": "};function g1(i,e){return Number.isFinite(i)?e==="m"?An(i):"".concat(Number(
 i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}function _1({thin:i},e){return!i||e===""?"":e==="m"?"; places are rounded to ".concat(
-An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}function b0(i){let e=X("input",{type:"search",placeholder:"speed > 5, speed of 12\
- > 5, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a condition, or for a body by id or name");let t=X("output",
-{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:p}=i.sessions[0],y=p.find(s.text);return t.value=y.length===
-0?"no such body":"".concat(y.length," bod").concat(y.length===1?"y":"ies"),n.replaceChildren(...y.slice(0,lh).map(g=>X("li",{},Pn(p.label(p.id(g)),()=>i.select(
-p.id(g))),p.label(p.id(g)).includes(p.name(g))?"":" ".concat(p.name(g))))),i.set_hits([]),y},a=()=>{let{rows:p,timeline_done:y,unread:g}=i.sessions[0];return g?
-(t.value="the timeline was not read: ".concat(g),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,m=>i.separation_at(m)),s.unit,y)},l=p=>i.sessions.slice(0,
-p?2:1).every(({head:y})=>y.finished||!i.served),c=async p=>{let y=s,g=i.sessions.map(({bodies:_})=>_.find(y.body).map(M=>_.id(M))),m=[...new Set(g.flat())];if(m.
-length!==1)return t.value=m.length===0?'no body "'.concat(y.body,'"'):"".concat(m.length,' bodies answer to "').concat(y.body,'"; wanted one'),n.replaceChildren(),
-i.set_hits([]),[];let{unit:x}=y,S=y.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],w=_=>s!==y?!1:(b[0]&&(!S||b[1])&&(C=u(v0(y,...b),x,_,_1(i.
-sessions[0],x))),!0);try{for(let _ of S?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(m[0],R=>(b[_]=R,w(!1)&&s===y)),!w(M&&l(S)))return[]}p&&i.selected!==
-m[0]&&i.select(m[0])}catch(_){s===y&&(t.value=_.message)}return C},d=async()=>{let p=s,[y]=i.sessions,g=y.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
-{of:m,unit:x}=y.rows.channel_heads[g],S=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=m==="pairs"?_0(p.body,M=>y.bodies.find(M).length===1):[p.body];if(m===
-"step")return S('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(m==="pairs"&&b.length!==2)return S('"'.concat(p.quantity,'" is a channel \
-of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!y.channel_history)return S("this page has no channels of single bodies; a served page (tumble view withou\
-t -o) has");let C=b.map(M=>y.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return S(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' \
-bodies answer to "').concat(b[M],'"; wanted one'));let[w,_]=C.map(([M])=>y.bodies.id(M));try{let M=await y.channel_history(g,w,_??0,R=>(s===p&&u(Pd(p,R),x,!1),s===
-p));s===p&&u(Pd(p,M),x,l(!1))}catch(M){s===p&&S(M.message)}},u=({runs:p,judged:y},g,m,x="")=>{let S=m?"":" so far",b=i.sessions[0].rows.unread_count(),C=y===0?"\
-no step has a value of it".concat(S):"in no step".concat(S);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(
-S,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+x,r=p.slice(0,lh).map(w=>{let _=w.first===
-w.last?"step ".concat(w.first):"steps ".concat(w.first," to ").concat(w.last),M=X("li",{},Pn(_,()=>i.player.seek(w.first)),m1[s.comparison],Pn("".concat(g1(w.peak,
-g)),()=>i.player.seek(w.at),"at step ".concat(w.at)));return w.body&&M.append(", ",Pn(i.sessions[0].bodies.label(w.body),()=>i.select(w.body))),M}),n.replaceChildren(
-...r),p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," more")})),i.set_hits(p),p},h=()=>(r=[],s=x0(e.value,i.sessions[0].rows.
-channel_heads),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.
-value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
+An(i.quantum)):"; speeds are made of places rounded to ".concat(An(i.quantum))}function b0(i){let e=X("input",{type:"search",placeholder:"speed > 5, wall 0, ste\
+p 120",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a condition, or for a body by id or name");let t=X("output",{ariaLabel:"\
+what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:p}=i.sessions[0],x=p.find(s.text);return t.value=x.length===0?"no s\
+uch body":"".concat(x.length," bod").concat(x.length===1?"y":"ies"),n.replaceChildren(...x.slice(0,lh).map(m=>X("li",{},Pn(p.label(p.id(m)),()=>i.select(p.id(m))),
+p.label(p.id(m)).includes(p.name(m))?"":" ".concat(p.name(m))))),i.set_hits([]),x},a=()=>{let{rows:p,timeline_done:x,unread:m}=i.sessions[0];return m?(t.value="\
+the timeline was not read: ".concat(m),r=[],n.replaceChildren(),i.set_hits([]),[]):u(y0(s,p,g=>i.separation_at(g)),s.unit,x)},l=p=>i.sessions.slice(0,p?2:1).every(
+({head:x})=>x.finished||!i.served),c=async p=>{let x=s,m=i.sessions.map(({bodies:_})=>_.find(x.body).map(M=>_.id(M))),g=[...new Set(m.flat())];if(g.length!==1)return t.
+value=g.length===0?'no body "'.concat(x.body,'"'):"".concat(g.length,' bodies answer to "').concat(x.body,'"; wanted one'),n.replaceChildren(),i.set_hits([]),[];
+let{unit:y}=x,S=x.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],w=_=>s!==x?!1:(b[0]&&(!S||b[1])&&(C=u(v0(x,...b),y,_,_1(i.sessions[0],y))),!0);
+try{for(let _ of S?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(g[0],R=>(b[_]=R,w(!1)&&s===x)),!w(M&&l(S)))return[]}p&&i.selected!==g[0]&&i.select(
+g[0])}catch(_){s===x&&(t.value=_.message)}return C},d=async()=>{let p=s,[x]=i.sessions,m=x.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),{of:g,unit:y}=x.
+rows.channel_heads[m],S=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=g==="pairs"?_0(p.body,M=>x.bodies.find(M).length===1):[p.body];if(g==="step")return S(
+'"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(g==="pairs"&&b.length!==2)return S('"'.concat(p.quantity,'" is a channel of pairs: ').concat(
+p.quantity," of 1 and 2 > 0"));if(!x.channel_history)return S("this page has no channels of single bodies; a served page (tumble view without -o) has");let C=b.
+map(M=>x.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return S(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' bodies answer to "').
+concat(b[M],'"; wanted one'));let[w,_]=C.map(([M])=>x.bodies.id(M));try{let M=await x.channel_history(m,w,_??0,R=>(s===p&&u(Pd(p,R),y,!1),s===p));s===p&&u(Pd(p,
+M),y,l(!1))}catch(M){s===p&&S(M.message)}},u=({runs:p,judged:x},m,g,y="")=>{let S=g?"":" so far",b=i.sessions[0].rows.unread_count(),C=x===0?"no step has a valu\
+e of it".concat(S):"in no step".concat(S);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(S,", the firs\
+t at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+y,r=p.slice(0,lh).map(w=>{let _=w.first===w.last?"ste\
+p ".concat(w.first):"steps ".concat(w.first," to ").concat(w.last),M=X("li",{},Pn(_,()=>i.player.seek(w.first)),m1[s.comparison],Pn("".concat(g1(w.peak,m)),()=>i.
+player.seek(w.at),"at step ".concat(w.at)));return w.body&&M.append(", ",Pn(i.sessions[0].bodies.label(w.body),()=>i.select(w.body))),M}),n.replaceChildren(...r),
+p.length>lh&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-lh," more")})),i.set_hits(p),p},h=()=>(r=[],s=x0(e.value,i.sessions[0].rows.channel_heads),
+s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.value=s.kind===
+"wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
 "keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps"||s.kind==="bod\
-y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[y]=h();y!==void 0&&i.select(i.sessions[0].bodies.id(y))}}});let f=(p,y,g)=>{
-let m=X("button",{type:"button",textContent:p,title:y});return m.setAttribute("aria-label",y),m.addEventListener("click",()=>i.next_hit(g)),m};return{place:X("d\
+y steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[x]=h();x!==void 0&&i.select(i.sessions[0].bodies.id(x))}}});let f=(p,x,m)=>{
+let g=X("button",{type:"button",textContent:p,title:x});return g.setAttribute("aria-label",x),g.addEventListener("click",()=>i.next_hit(m)),g};return{place:X("d\
 iv",{className:"search"},X("div",{className:"search-row"},e,f("\u2039","the run of steps before (N)",-1),f("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.
-focus(),at(p){r.forEach((y,g)=>y.classList.toggle("at",g===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
+focus(),at(p){r.forEach((x,m)=>x.classList.toggle("at",m===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.kind==="body steps"?c(!1):s.kind==="\
 channel steps"&&d()}}}var x1=["box","grid","tower","pyramid","wall","pile","thrown"];var y1=["crate","brick","wood","concrete","white"],uo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
 return this.json.static[e]===1}texture(e){return y1[this.json.texture[e]]??""}shape_words(e){let t=this.size(e),n=t[0]>0?"".concat(t.map(r=>Number(r.toPrecision(
@@ -4198,31 +4201,33 @@ e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=thi
 n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?[]:[r]}let n=[...this.
 rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).toLowerCase().includes(
 t)&&s.push(r);return s}};var M0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function Ta(i,e){for(let t of e)
-i.push(typeof t=="string"?Number(t):t)}var fo=class{constructor(e=[]){this.channel_heads=e;for(let t of M0)this[t]=[];this.begun=[],this.label=t=>"body ".concat(
-t),this.events=[],this.begun_why_not="",this.channels=Di(),this.bounds=[]}get count(){return this.step.length}append(e){for(let t of M0)Ta(this[t],e[t]);e.bounds.
-forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.
-push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(
-null);Ta(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.
-step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>
-0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1),s=t+1<this.count?this.step[t+1]-1:this.
-step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record with it is damaged"])}return e}unread_count(){return this.unread().reduce((e,[t,n])=>e+
-n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.
-step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var v1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function T0(i){if(!("DecompressionStream"in window))
+i.push(typeof t=="string"?Number(t):t)}var fo=class{constructor(e=[],t=!1){this.channel_heads=e;for(let n of M0)this[n]=[];this.begun=[],this.may_lack_contacts=
+t,this.contacts_seen=0,this.label=n=>"body ".concat(n),this.events=[],this.begun_why_not="",this.channels=Di(),this.bounds=[]}get count(){return this.step.length}append(e){
+for(let t of M0)Ta(this[t],e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(
+this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=[];for(;r.
+length<this.count-t.length;)r.push(null);Ta(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(
+t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}reaches(e){let t=this.count>1?this.step[1]-
+this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1),s=t+
+1<this.count?this.step[t+1]-1:this.step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record with it is damaged"])}return e}unread_count(){return this.
+unread().reduce((e,[t,n])=>e+n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(
+1)).filter(e=>e>=0).map(e=>this.step[e])}contacts_told(e){for(;this.may_lack_contacts&&this.contacts_seen<this.count;)this.contacts[this.contacts_seen++]>0&&(this.
+may_lack_contacts=!1);return this.may_lack_contacts?null:this.contacts[e]}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+
+this.potential[e]}};var v1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function T0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([v1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var S0=async i=>JSON.parse(new TextDecoder().decode(await T0(i))),w0=i=>i>>>1^-(i&1);function b1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let p=o+d,y=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,g=w0(y)+2*u-h|0;h=u,u=g,l[f*t+c]=g*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+e;++f,++d){let p=o+d,x=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=w0(x)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
 t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=w0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
-e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ld=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new uo(t.bodies),this.rows=new fo(e.channels),this.
-rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
-this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=b1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
-map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
-gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
-columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
-o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(this.steps[o])-
-this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==ps&&(s[d]=
-Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*this.
-head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
+e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Ld=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new uo(t.bodies),this.rows=new fo(e.channels,!e.
+ours),this.rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.
+begun_why_not,this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=b1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=
+new Map(this.steps.map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=
+s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(
+t*n,(t+1)*n),[r,o,a]=this.columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),
+speed:this.speeds(t,r,o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(
+this.steps[o])-this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==
+ps&&(s[d]=Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*
+this.head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
 e)===null?{step:e,why_not:"the log of another engine holds no contacts"}:{step:e,why_not:"this page has no contacts of this state; a served page (tumble view wi\
 thout -o) has all",near:this.near_contacts(e)}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-
 e)<Math.abs(n-e)?s:n)}async way(e){let t=this.bodies.row(e),n=this.bodies.count,s=[],r=[];return this.steps.forEach((o,a)=>{let l=this.columns.mark[a*n+t];s.push(
@@ -4235,12 +4240,12 @@ ps)return{why_not:"not there in this state",absent:!0};if(s.mark[n]===3)return{w
 let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([S0("session-".concat(n,"-details")),T0("session-".concat(n,"-frames"))]);e.push(new Ld(s,r,
 o))}let t=document.getElementById("session-0-difference")?await S0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var M1=16e7,Nd=24,S1=700,w1=120;async function E0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
 if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var ii=async(i,e)=>(await E0(i,e)).json();function T1(i){let e=new DataView(
-i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(y=>e.getUint32(n+y,!0));n+=16;let l=[0,1,2,3].map(y=>new Float32Array(i,n+4*y*o,o));n+=16*o;
+i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(x=>e.getUint32(n+x,!0));n+=16;let l=[0,1,2,3].map(x=>new Float32Array(i,n+4*x*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
-mark:d})}return t}var Dd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new uo(n),this.rows=new fo(t.channels),this.steps=null,this.
-timeline_done=!1,this.note="",this.unread="",this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[
-...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.
-index(e);return t<0?(e-this.head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*
+mark:d})}return t}var Dd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new uo(n),this.rows=new fo(t.channels,!t.ours),this.steps=null,
+this.timeline_done=!1,this.note="",this.unread="",this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;
+return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.
+rows.index(e);return t<0?(e-this.head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*
 e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=M1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
 64}}async fetch(e,t,n){let s=await E0("frames",{log:this.log,first:e,count:t,stride:n}),r=T1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(
 a=>a.version))>this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await ii("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){
@@ -4266,37 +4271,38 @@ take_news()||l;o||(r=await ii("difference"),o=r.state!=="working",l=!0),s(null)}
 u.busy);(c||d)&&setTimeout(a,d&&!c?w1:S1)};a()}}}var A1=30,E1=22,R0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function P0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
 "2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function C1(i,e,t,n){let s=new Float64Array(Math.
-ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(
-s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function R1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
-i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=
-s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function P1(i,e,t,n,s,r){let{context:o,width:a,height:l}=P0(i),c=C1(t,e.of,n,a),d=R1(c,e,t);if(!d)return!1;let u=e.log?
-x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
-r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.
-fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.beginPath();let y=!1,g=0,m=0;for(let x=0;x<c.high.length;++x)c.high[x]!==-1/0&&(y||o.moveTo(m=x,p(c.high[x])),
-y=!0,o.lineTo(x,p(c.high[x])),c.low[x]!==c.high[x]&&o.lineTo(x,p(c.low[x])),g=x);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
-g,l),o.lineTo(m,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function I0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"\
-group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),a=R0(E1),l=X("span",{className:"value"}),c=[],d=0,u=x=>S=>(S-e().first)/
-Math.max(1,e().last-e().first)*(x-1),h=(x,S,b,C="")=>X("div",{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:x}),S),b),f=x=>{c=x.map(
-S=>{let b=R0(A1),C=X("span",{className:"value"});return{lane:S,canvas:b,value:C,row:h(S.name,C,b,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),
-o)},p=()=>{let{context:x,width:S,height:b}=P0(a),C=s(),{gaps:w,inputs:_,hits:M,first_difference:R}=n(),P=u(S);x.fillStyle=C.line,x.fillRect(0,b/2-1,S,2);for(let[
-I,F]of w)x.fillStyle=C.bad,x.globalAlpha=.35,x.fillRect(P(I),2,Math.max(2,P(F)-P(I)),b-4),x.globalAlpha=1;x.fillStyle=C.select;for(let I of M)x.fillRect(P(I.first),
-b-7,Math.max(2,P(I.last)-P(I.first)),6);x.fillStyle=C.ink;for(let{step:I}of _){let F=P(I);x.beginPath(),x.moveTo(F-4,1),x.lineTo(F+4,1),x.lineTo(F,9),x.fill()}R!==
-null&&(x.fillStyle=C.bad,x.fillRect(P(R)-1,0,2,b),x.beginPath(),x.moveTo(P(R)+1,0),x.lineTo(P(R)+9,4),x.lineTo(P(R)+1,8),x.fill())},y=()=>{let x=i.index(d),S=i.
-reaches(d)?x:-1;for(let{lane:w,value:_}of c)_.textContent=S<0||i.step[S]===void 0?"\u2013":w.words(i,S);let b=n().inputs.filter(w=>w.step===d);l.textContent=b.length>
-0?b.map(({kind:w,body:_})=>"".concat(w).concat(_?" ".concat(_):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.
-offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},g=()=>{if(a.clientWidth===0)return;let x=s();p(),c.forEach(({lane:S,canvas:b,row:C},w)=>{
-let _=P1(b,S,i,u(b.clientWidth),S.bad?x.bad:x.lanes[w%x.lanes.length],x);C.hidden=!_&&(S.only_if_any||S.late)}),y()},m=x=>{if(x.buttons===0)return;let S=a.getBoundingClientRect(),
-b=Math.min(1,Math.max(0,(x.clientX-S.left)/Math.max(1,S.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",x=>{
-x.target.tagName==="CANVAS"&&(r.setPointerCapture(x.pointerId),m(x))}),r.addEventListener("pointermove",m),new ResizeObserver(g).observe(r),{place:r,draw:g,set_lanes:f,
-show(x){d=x,y()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,y)=>{let g=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return g.
-addEventListener("click",()=>{y(),u()}),{made:g,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0),o=new Uint8Array(s.length);for(let a=0;a<i.count;++a){let l=e.of(i,a),c=Math.min(s.length-1,Math.
+max(0,Math.round(t(i.step[a]))));if(l==null||!Number.isFinite(l)){(e.parts||i.read[a]===0)&&(o[c]=1);continue}l<s[c]&&(s[c]=l),l>r[c]&&(r[c]=l)}return{low:s,high:r,
+none:o}}function R1({high:i,none:e}){let t=[],n=!1;for(let s=0;s<i.length;++s){if(i[s]===-1/0){e[s]&&(n=!1);continue}n||t.push([]),n=!0,t.at(-1).push(s)}return t}
+function P1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.
+log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function I1(i,e,t,n,s,r){let{context:o,width:a,height:l}=P0(
+i),c=C1(t,e,n,a),d=P1(c,e,t);if(!d)return!1;let u=e.log?x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);
+if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="\
+bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.lineWidth=1.4,o.lineJoin="round";for(let x of R1(
+c)){o.beginPath(),o.moveTo(x[0],p(c.high[x[0]]));for(let m of x)o.lineTo(m,p(c.high[m])),c.low[m]!==c.high[m]&&o.lineTo(m,p(c.low[m]));x.length===1&&o.lineTo(x[0]+
+1.4,p(c.low[x[0]])),o.stroke(),e.kind==="area"&&(o.lineTo(x.at(-1),l),o.lineTo(x[0],l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1)}return!0}function I0({rows:i,
+range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),
+a=R0(E1),l=X("span",{className:"value"}),c=[],d=0,u=y=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(y-1),h=(y,S,b,C="")=>X("div",{className:"lane",title:C},
+X("div",{className:"label"},X("span",{textContent:y}),S),b),f=y=>{c=y.map(S=>{let b=R0(A1),C=X("span",{className:"value"});return{lane:S,canvas:b,value:C,row:h(
+S.name,C,b,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},p=()=>{let{context:y,width:S,height:b}=P0(a),C=s(),{gaps:w,inputs:_,hits:M,
+first_difference:R}=n(),P=u(S);y.fillStyle=C.line,y.fillRect(0,b/2-1,S,2);for(let[I,F]of w)y.fillStyle=C.bad,y.globalAlpha=.35,y.fillRect(P(I),2,Math.max(2,P(F)-
+P(I)),b-4),y.globalAlpha=1;y.fillStyle=C.select;for(let I of M)y.fillRect(P(I.first),b-7,Math.max(2,P(I.last)-P(I.first)),6);y.fillStyle=C.ink;for(let{step:I}of _){
+let F=P(I);y.beginPath(),y.moveTo(F-4,1),y.lineTo(F+4,1),y.lineTo(F,9),y.fill()}R!==null&&(y.fillStyle=C.bad,y.fillRect(P(R)-1,0,2,b),y.beginPath(),y.moveTo(P(R)+
+1,0),y.lineTo(P(R)+9,4),y.lineTo(P(R)+1,8),y.fill())},x=()=>{let y=i.index(d),S=i.reaches(d)?y:-1;for(let{lane:w,value:_}of c)_.textContent=S<0||i.step[S]===void 0?
+"\u2013":w.words(i,S);let b=n().inputs.filter(w=>w.step===d);l.textContent=b.length>0?b.map(({kind:w,body:_})=>"".concat(w).concat(_?" ".concat(_):"")).join(", "):
+"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},
+m=()=>{if(a.clientWidth===0)return;let y=s();p(),c.forEach(({lane:S,canvas:b,row:C},w)=>{let _=I1(b,S,i,u(b.clientWidth),S.bad?y.bad:y.lanes[w%y.lanes.length],y);
+C.hidden=!_&&(S.only_if_any||S.late)}),x()},g=y=>{if(y.buttons===0)return;let S=a.getBoundingClientRect(),b=Math.min(1,Math.max(0,(y.clientX-S.left)/Math.max(1,
+S.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",y=>{y.target.tagName==="CANVAS"&&(r.setPointerCapture(y.pointerId),
+g(y))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,show(y){d=y,x()}}}function L0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,x)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
+addEventListener("click",()=>{x(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
 r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"\
 Whole scene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(
 f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar",role:"group",ariaLabel:"what is drawn"},X("label",{},"Colour by ",
-s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var I1=60,Ud=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
+s),...c.map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var L1=60,Ud=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
 sessions)s.label=o=>r.label(o);this.steps=new ar(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
 this.player=Qc({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=t0(this),this.view=X("div",{className:"view3\
 d"}),this.said=X("output",{className:"said"}),this.told=X("output",{className:"told",ariaLabel:"what has happened"}),this.drawing=new ih(this.view,this.sessions,
@@ -4318,7 +4324,7 @@ this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){let t=this.diff
 difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&
 this.player.seek(n),this.header.show(),this.side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.
 asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.
-player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),I1)}own_step(e,t){
+player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),L1)}own_step(e,t){
 return new ar(e.head.first,e.head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.
 now(),r=await Promise.all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,
 (t===this.asked||this.player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;
@@ -4339,12 +4345,12 @@ this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.f
 effect?.step;e!==void 0&&this.player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.
 hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function N0(i){
 try{let e=JSON.parse(document.getElementById("session-head").textContent),t=await(e.mode==="sent"?A0:C0)(e);await new Ud(i,{...t,bounds:e.bounds??[]}).start()}catch(e){
-throw i.append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function L1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+throw i.append(X("p",{className:"bad",textContent:"This cannot be drawn: ".concat(e.message)})),e}}function N1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
 groups??"").split(" "),s=Np(i,e,{first:t,groups:n}),r=Kg(i,e,s.show_step);Xa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function N1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
+i)}function D1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Fd(i){return e=>{
 try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var U0=document.createElement(
 "style");U0.textContent=nf+sf+rf;document.head.append(U0);for(let i of document.querySelectorAll("table.glance"))Fd(kp)(i);for(let i of document.querySelectorAll(
-".drawing"))N1(i,Fd(L1));for(let i of document.querySelectorAll(".pictures"))Fd(Dp)(i);var D0=document.getElementById("session");D0&&N0(D0);})();
+".drawing"))D1(i,Fd(N1));for(let i of document.querySelectorAll(".pictures"))Fd(Dp)(i);var D0=document.getElementById("session");D0&&N0(D0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

@@ -28,13 +28,13 @@ function notices_of(page) {
     if (!thin) return;
     const every = thin.every > 1;
     const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`
-      : "has every state";
+      : session.gaps().length > 0 ? "has every state that could be read" : "has every state";
     const contacts = !head.ours && thin.contact_steps === 0 ? "" : `, with the contacts of ${thin.contact_steps} states`;
     const rows = thin.rows_run > 1 ? `; its timeline has the largest values of ${thin.rows_run} steps each` : "";
     notices.push([every ? "warn" : "", `${who}This page ${kept}, rounded to 0.1 mm${contacts}${rows}. Served by tumble view it has every bit.`]);
   });
   const why = page.sessions[0].rows.begun_why_not;
-  if (why) notices.push(["", `Contacts begun are not counted: ${why}`]);
+  if (why) notices.push(["", `Contacts begun are counted no further: ${why}`]);
   return notices;
 }
 

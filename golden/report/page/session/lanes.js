@@ -9,11 +9,12 @@ const digits = (value, unit) => (value === null ? "–" : !Number.isFinite(value
 
 const share_text = (rows, i) => (rows.read[i] ? `${rows.sleeping[i]} of ${rows.bodies[i]}` : "–");
 
-/// kind: "line", "area", "bars"; of(rows, i): the number, or null. Lanes without a number anywhere are left out.
+/// kind: "line", "area", "bars"; of(rows, i): the number, or null. parts: a line ends where there is no number; without it,
+/// only where the step was not read. Lanes without a number anywhere are left out.
 export const kLanes = [
   { name: "sleeping", kind: "area", of: (rows, i) => (rows.read[i] ? rows.sleeping[i] : null), words: share_text,
     top: (rows) => Math.max(1, ...sampled(rows.bodies)) },
-  { name: "contacts", kind: "line", of: (rows, i) => rows.contacts[i], words: (rows, i) => count(rows.contacts[i]) },
+  { name: "contacts", kind: "line", of: (rows, i) => rows.contacts_told(i), words: (rows, i) => count(rows.contacts_told(i)), late: true },
   { name: "contacts begun", kind: "bars", of: (rows, i) => rows.begun[i] ?? null,
     words: (rows, i) => count(rows.begun[i]), late: true },
   { name: "energy", kind: "line", of: (rows, i) => rows.energy(i), words: (rows, i) => joules(rows.energy(i)), fit: true },
@@ -47,7 +48,7 @@ export const channel_lanes = (rows) => rows.channel_heads.map(({ name, unit, of:
   const of = (all, i) => all.channels[name]?.[i] ?? null;
   const words = (all, i) => digits(of(all, i), unit);
   const most = whose === "step" ? "" : `, largest of ${whose}`;
-  return { name: `${name}${most}`, kind: "line", fit: true, title: `channel ${name}${most}`, of, words };
+  return { name: `${name}${most}`, kind: "line", fit: true, parts: true, title: `channel ${name}${most}`, of, words };
 });
 
 /// The lane of a channel of one body or pair. history: channel_history(), which grows.
@@ -58,7 +59,7 @@ export function owner_lane(name, unit, history) {
     return at.get(rows.step[i]) ?? null;
   };
   const words = (rows, i) => digits(of(rows, i), unit);
-  return { name, kind: "line", fit: true, title: `channel ${name}`, of, words };
+  return { name, kind: "line", fit: true, parts: true, title: `channel ${name}`, of, words };
 }
 
 /// The lane of the distance between two sessions; logarithmic, since it grows by powers.

@@ -47,18 +47,16 @@ function channel_table(channels, id, bodies, plots) {
 
 /// answers: one of body_at() a session. asked(field): null, or what is called when a value is pressed.
 export function show_body(body, { id, label, name, shape, answers, actions, bodies, plots = null, asked = null }) {
-  const heads = answers.length === 2 ? ["A", "B"] : ["value"];
+  const two = answers.length === 2;
   const lost = answers.find((answer) => answer.why_not);
   const table = element("table", { className: "numbers", ariaLabel: `values of ${label}` });
-  table.append(element("thead", {}, row_of(element("th", { scope: "col", textContent: "field" }),
-    ...heads.map((head) => element("th", { scope: "col", textContent: head, className: "number" })))));
-  const rows = element("tbody");
+  table.append(element("thead", {}, row_of(element("th", { scope: "col", textContent: "field", colSpan: two ? 2 : 1 }),
+    element("th", { scope: "col", textContent: "value", className: "number" }))));
   const first = answers.find((answer) => answer.fields);
   for (const [i, { field }] of (first?.fields ?? []).entries()) {
     const values = answers.map((answer) => answer.fields?.[i]);
     const bits = values.map((value) => value?.hex ?? String(value?.value));
-    const differs = bits.length === 2 && bits[0] !== bits[1];
-    const made = row_of(element("th", { scope: "row", textContent: field }), ...values.map((value) => {
+    const rows = values.map((value, s) => {
       const shown = cell("", "number");
       if (value && asked) {
         shown.append(link(say(value.value), () => asked(field), `${value.hex ?? ""} – where does it come from?`,
@@ -66,22 +64,25 @@ export function show_body(body, { id, label, name, shape, answers, actions, bodi
       }
       else shown.textContent = say(value?.value);
       if (value?.hex) shown.title = value.hex;
-      return shown;
-    }));
-    made.classList.toggle("differs", differs);
-    rows.append(made);
+      // Two values stand one below the other, digit below digit: side by side they leave no room for the field.
+      const heads = s > 0 ? [] : [element("th", { scope: two ? "rowgroup" : "row", rowSpan: answers.length, textContent: field })];
+      if (two) heads.push(element("th", { scope: "row", textContent: "AB"[s] }));
+      const made = row_of(...heads, shown);
+      made.classList.toggle("differs", bits.length === 2 && bits[0] !== bits[1]);
+      return made;
+    });
+    table.append(element("tbody", { className: two ? "pair" : "" }, ...rows));
   }
-  table.append(rows);
-  const facts = [...(name === label || shape.startsWith(name) ? [] : [name]), shape];
+  const facts = [...(label.includes(name) || shape.startsWith(name) ? [] : [name]), shape];
   if (first) facts.push(first.frozen ? "asleep" : "awake");
-  const sides = answers.filter((answer) => answer.fields).length === 1 && answers.length === 2;
+  const sides = answers.filter((answer) => answer.fields).length === 1 && two;
   if (sides && answers.some(({ absent }) => absent)) facts.push(`only in ${first === answers[0] ? "A" : "B"}`);
   body.replaceChildren(element("p", {}, element("strong", { textContent: label.replace(/^body /, "Body ") }), ` ${facts.join(" · ")}`), actions);
   if (first) body.append(element("div", { className: "scroll" }, table));
   if (first?.channels?.length > 0) {
     body.append(channel_table(first.channels, id, bodies, plots));
   }
-  if (lost) body.append(element("p", { className: "soft", textContent: `${answers.length === 2 ? `${answers.indexOf(lost) === 0 ? "A" : "B"}: ` : ""}${lost.why_not}` }));
+  if (lost) body.append(element("p", { className: "soft", textContent: `${two ? `${answers.indexOf(lost) === 0 ? "A" : "B"}: ` : ""}${lost.why_not}` }));
   if (first?.rounded) body.append(element("p", { className: "soft", textContent: "Rounded in this page; tumble dump prints every bit." }));
 }
 

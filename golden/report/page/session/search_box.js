@@ -19,7 +19,7 @@ function rounded({ thin }, unit) {
 }
 
 export function make_search(page) {
-  const input = element("input", { type: "search", placeholder: "speed > 5, speed of 12 > 5, 12, wall 0", autocomplete: "off", spellcheck: false });
+  const input = element("input", { type: "search", placeholder: "speed > 5, wall 0, step 120", autocomplete: "off", spellcheck: false });
   input.setAttribute("aria-label", "search for steps by a condition, or for a body by id or name");
   const said = element("output", { ariaLabel: "what the search found" });
   const list = element("ul", { className: "hits" });

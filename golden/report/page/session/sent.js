@@ -65,7 +65,7 @@ class SentSession {
     this.head = head;
     this.thin = head.thin;
     this.bodies = new BodyTable(details.bodies);
-    this.rows = new TimelineRows(head.channels);
+    this.rows = new TimelineRows(head.channels, !head.ours);
     this.rows.append(details.timeline);
     this.rows.events = details.inputs;
     this.rows.begun = details.timeline.begun.length > 0 ? [0, ...details.timeline.begun] : [];

@@ -40,7 +40,7 @@ class ServedSession {
     this.head = head;
     this.thin = null;
     this.bodies = new BodyTable(bodies);
-    this.rows = new TimelineRows(head.channels);
+    this.rows = new TimelineRows(head.channels, !head.ours);
     this.steps = null;
     this.timeline_done = false;
     this.note = "";    // why the log cannot be opened now

@@ -26,18 +26,38 @@ function prepared(canvas) {
   return { context, width, height };
 }
 
-/// Lowest and highest value of each pixel column.
-function columns_of(rows, of, x_of, width) {
+/// Lowest and highest value of each pixel column; none: whether a row without a value lies there, over which no line goes.
+function columns_of(rows, lane, x_of, width) {
   const low = new Float64Array(Math.ceil(width) + 1).fill(Infinity);
   const high = new Float64Array(Math.ceil(width) + 1).fill(-Infinity);
+  const none = new Uint8Array(low.length);
   for (let i = 0; i < rows.count; ++i) {
-    const value = of(rows, i);
-    if (value === null || value === undefined || !Number.isFinite(value)) continue;
+    const value = lane.of(rows, i);
     const x = Math.min(low.length - 1, Math.max(0, Math.round(x_of(rows.step[i]))));
+    if (value === null || value === undefined || !Number.isFinite(value)) {
+      if (lane.parts || rows.read[i] === 0) none[x] = 1;
+      continue;
+    }
     if (value < low[x]) low[x] = value;
     if (value > high[x]) high[x] = value;
   }
-  return { low, high };
+  return { low, high, none };
+}
+
+/// Runs of pixel columns without one between them that has rows and no value: the columns of each that have a value.
+function runs_of({ high, none }) {
+  const runs = [];
+  let open = false;
+  for (let x = 0; x < high.length; ++x) {
+    if (high[x] === -Infinity) {
+      if (none[x]) open = false;
+      continue;
+    }
+    if (!open) runs.push([]);
+    open = true;
+    runs.at(-1).push(x);
+  }
+  return runs;
 }
 
 function range_of({ low, high }, lane, rows) {
@@ -57,7 +77,7 @@ function range_of({ low, high }, lane, rows) {
 
 function draw_lane(canvas, lane, rows, x_of, colour, hue) {
   const { context, width, height } = prepared(canvas);
-  const found = columns_of(rows, lane.of, x_of, width);
+  const found = columns_of(rows, lane, x_of, width);
   const range = range_of(found, lane, rows);
   if (!range) return false;
   const scaled = lane.log ? (value) => Math.log(Math.max(value, 1e-18)) : (value) => value;
@@ -75,24 +95,20 @@ function draw_lane(canvas, lane, rows, x_of, colour, hue) {
     }
     return true;
   }
-  context.beginPath();
-  let begun = false;
-  let last = 0;
-  let first = 0;
-  for (let x = 0; x < found.high.length; ++x) {
-    if (found.high[x] === -Infinity) continue;
-    if (!begun) context.moveTo(first = x, y_of(found.high[x]));
-    begun = true;
-    context.lineTo(x, y_of(found.high[x]));
-    if (found.low[x] !== found.high[x]) context.lineTo(x, y_of(found.low[x]));
-    last = x;
-  }
   context.lineWidth = 1.4;
   context.lineJoin = "round";
-  context.stroke();
-  if (lane.kind === "area") {
-    context.lineTo(last, height);
-    context.lineTo(first, height);
+  for (const run of runs_of(found)) {
+    context.beginPath();
+    context.moveTo(run[0], y_of(found.high[run[0]]));
+    for (const x of run) {
+      context.lineTo(x, y_of(found.high[x]));
+      if (found.low[x] !== found.high[x]) context.lineTo(x, y_of(found.low[x]));
+    }
+    if (run.length === 1) context.lineTo(run[0] + 1.4, y_of(found.low[run[0]]));  // one state alone is a point
+    context.stroke();
+    if (lane.kind !== "area") continue;
+    context.lineTo(run.at(-1), height);
+    context.lineTo(run[0], height);
     context.globalAlpha = 0.25;
     context.fill();
     context.globalAlpha = 1;

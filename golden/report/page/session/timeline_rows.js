@@ -10,11 +10,13 @@ export function add_values(column, values) {
 }
 
 export class TimelineRows {
-  /// channels: those of the log's head, [{name, unit, of}].
-  constructor(channels = []) {
+  /// channels: those of the log's head, [{name, unit, of}]. of_another: whether it is the log of another engine.
+  constructor(channels = [], of_another = false) {
     this.channel_heads = channels;
     for (const name of kColumns) this[name] = [];
     this.begun = [];
+    this.may_lack_contacts = of_another;  // until a row has one
+    this.contacts_seen = 0;
     this.label = (id) => `body ${id}`;
     this.events = [];  // inputs: {step, kind, body, text}
     this.begun_why_not = "";
@@ -79,6 +81,14 @@ export class TimelineRows {
   /// The first step up to which a bound is broken, of each that is.
   breaks() {
     return this.bounds.map(({ broken }) => broken.indexOf(1)).filter((i) => i >= 0).map((i) => this.step[i]);
+  }
+
+  /// The contacts of row i; null where none was told: that log holds them only where its engine tells them.
+  contacts_told(i) {
+    while (this.may_lack_contacts && this.contacts_seen < this.count) {
+      if (this.contacts[this.contacts_seen++] > 0) this.may_lack_contacts = false;
+    }
+    return this.may_lack_contacts ? null : this.contacts[i];
   }
 
   energy(i) {
