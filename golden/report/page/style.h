@@ -15,6 +15,7 @@ h1 { margin: 0; font-size: 1.6rem; line-height: 1.25; }
 h2 { margin: 2rem 0 .75rem; font-size: 1.2rem; }
 h3 { margin: 1.25rem 0 .4rem; font-size: 1rem; }
 p, ul { margin: .3rem 0; }
+p, li, h1, h2, h3, td { overflow-wrap: break-word; }
 .soft { color: var(--soft); }
 .banner { padding: 1rem 1.25rem; border-radius: .5rem; border-left: .5rem solid; }
 .banner.pass { background: var(--good-panel); border-color: var(--good); }
@@ -30,7 +31,8 @@ summary { display: flex; flex-wrap: wrap; gap: .25rem .9rem; align-items: baseli
 summary:focus-visible, a:focus-visible, pre:focus-visible { outline: 3px solid #3b82f6; outline-offset: 2px; }
 summary::before { content: "\25B8"; color: var(--soft); }
 details[open] > summary::before { content: "\25BE"; }
-summary h3 { margin: 0; font-size: 1.05rem; overflow-wrap: anywhere; }
+summary h3 { margin: 0; font-size: 1.05rem; }
+summary h3, summary span { min-width: 0; overflow-wrap: anywhere; }
 .inside { padding: 0 .9rem .9rem; border-top: 1px solid var(--line); }
 .chips { display: flex; flex-wrap: wrap; gap: .4rem; margin-left: auto; }
 .chip { padding: .05rem .6rem; border: 1px solid; border-radius: 1rem; font-size: .85rem; white-space: nowrap; }
