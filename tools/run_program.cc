@@ -16,6 +16,7 @@
 
 #include "src/base/text.h"
 #include "src/files/part_file.h"
+#include "src/files/short_lived_folder.h"
 #include "src/process/interrupt.h"
 #include "src/process/own_limits.h"
 #include "src/world/float_environment.h"
@@ -119,8 +120,10 @@ Exit run_words(const Command& command, const std::vector<std::string>& words) {
     return fail(who, reading.text + "\n'" + who + " --help' explains the arguments.", Exit::kBadInput);
   }
   if (const Status ok = check_surroundings(); !ok.ok()) return fail(who, ok.error().message, exit_for(ok.error()));
-  const process::InterruptExit interrupts(who + ": interrupted", static_cast<int>(Exit::kCannotFinish),
-                                          files::remove_parts);
+  const process::InterruptExit interrupts(who + ": interrupted", static_cast<int>(Exit::kCannotFinish), [] {
+    files::remove_parts();
+    files::remove_short_lived_folders();
+  });
   const Result<Exit> result = action();
   if (!result.ok()) return fail(who, result.error().message, exit_for(result.error()));
   return *result;

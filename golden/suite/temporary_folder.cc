@@ -1,11 +1,29 @@
 #include "golden/suite/temporary_folder.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
+#include <system_error>
 
 #include "src/base/text.h"
+#include "src/files/short_lived_folder.h"
 
 namespace tumble::golden {
+
+TemporaryFolder::TemporaryFolder(const std::string& prefix, const std::filesystem::path& within) {
+  std::error_code error;
+  const std::filesystem::path place = within.empty() ? std::filesystem::temp_directory_path(error) : within;
+  if (error) return;
+  std::string pattern = (place / (prefix + "-XXXXXX")).string();
+  if (files::make_short_lived_folder(pattern)) path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  if (path_.empty()) return;
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+  files::forget_short_lived_folder(path_.string());
+}
 
 Status check_temporary_place() {
   constexpr std::size_t kProbeBytes = 512;  // a full disk takes none

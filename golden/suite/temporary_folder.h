@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 #include "tumble/sim/result.h"
 
@@ -14,20 +12,11 @@ namespace tumble::golden {
 Status check_temporary_place();
 
 /// A new folder for temporary files, named PREFIX-XXXXXX in `within` or the system's place for them, removed with this
-/// object. The path is empty if no folder could be made.
+/// object, or by the signal that ends the program. The path is empty if no folder could be made.
 class TemporaryFolder {
  public:
-  explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& within = {}) {
-    std::error_code error;
-    const std::filesystem::path place = within.empty() ? std::filesystem::temp_directory_path(error) : within;
-    if (error) return;
-    std::string pattern = (place / (prefix + "-XXXXXX")).string();
-    if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
+  explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& within = {});
+  ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -24,6 +24,7 @@ class Running {
     program.folder = shop.path(".");
     program.out = shop.path("out");
     program.err = shop.path("err");
+    if (std::filesystem::is_directory(shop.path("temporary"))) program.set["TMPDIR"] = shop.path("temporary");
     started_ = process::start(program, child_) == 0;
   }
   // Sends the signal once `begun` is true; gives up after a minute.
@@ -114,6 +115,18 @@ TEST(Interrupt, AMovieIsWholeOrNotThere) {
   Running render(shop, {"render", "small.tumble", "-o", "old.mp4", "--size", "1280x720"});
   expect_interrupted(render.interrupt(has_part(shop)), "render");
   expect_kept(shop, "old.mp4", before);
+}
+
+TEST(Interrupt, NoTemporaryFolderStays) {
+  const Workshop shop;
+  shop.record_small("small");
+  const std::filesystem::path place = shop.path("temporary");
+  std::filesystem::create_directory(place);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Running render(shop, {"render", "small.tumble", "-o", "new.mp4", "--size", "1280x720"});
+    expect_interrupted(render.interrupt([&] { return !std::filesystem::is_empty(place); }, signal), "render");
+    EXPECT_TRUE(std::filesystem::is_empty(place)) << *std::filesystem::directory_iterator(place);
+  }
 }
 
 TEST(Interrupt, ALogThatIsBeingWrittenIsNotCalledTorn) {
