@@ -22,6 +22,7 @@ class LentSink : public ByteSink {
   void truncate(std::uint64_t size) override { sink_->truncate(size); }
   Status sync() override { return sink_->sync(); }
   [[nodiscard]] std::string name() const override { return sink_->name(); }
+  [[nodiscard]] bool whole_or_nothing() const override { return sink_->whole_or_nothing(); }
 
  private:
   std::shared_ptr<ByteSink> sink_;
