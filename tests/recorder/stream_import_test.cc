@@ -32,6 +32,30 @@ TEST(StreamImport, StatesComeBackToTheBit) {
   }
 }
 
+// A full disk below an output that takes its name when it is complete.
+class FullPart : public replay::ByteSink {
+ public:
+  Result<std::size_t> write_some(std::span<const std::byte> bytes) override {
+    return ++writes_ > 3 ? Result<std::size_t>(cannot_finish("No space left on device")) : bytes.size();
+  }
+  void truncate(std::uint64_t /*size*/) override {}
+  Status sync() override { return {}; }
+  [[nodiscard]] std::string name() const override { return "full.tumble"; }
+  [[nodiscard]] bool whole_or_nothing() const override { return true; }
+
+ private:
+  int writes_ = 0;
+};
+
+TEST(StreamImport, AFullDiskUnderAPartOfAnOutputSavesNothing) {
+  const Result<replay::StreamReader> stream = open_stream(record(3, 200));
+  ASSERT_TRUE(stream.ok()) << stream.error().message;
+  const Result<replay::StreamImport> import = replay::import_stream(
+      *stream, [] { return Result<std::unique_ptr<replay::ByteSink>>(std::make_unique<FullPart>()); });
+  ASSERT_FALSE(import.ok());
+  EXPECT_NE(import.error().message.find("no log was written"), std::string::npos) << import.error().message;
+}
+
 TEST(StreamImport, NumbersThatAreNoFloatsAndNanAreKept) {
   const double odd[3] = {0.1, -0.0, std::numeric_limits<double>::quiet_NaN()};
   const auto step = [&](TumbleRec* rec) {
