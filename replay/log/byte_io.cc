@@ -159,7 +159,7 @@ Result<File> replaced(File old, const std::string& path, mode_t mode) {
 Result<File> open_log(const std::string& path) {
   if (Status ok = may_replace(path); !ok.ok()) return ok.error();
   // Replaced once it is locked: until then it may be the log of another process.
-  File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  File file(files::open_to_write(path, O_CREAT));
   if (!file.ok()) return files::cannot_open(path, errno);
   struct stat info = {};
   if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return file;

@@ -18,16 +18,19 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-// To open a pipe for writing waits for a reader, for ever if none comes; and no interruption ends that.
-int open_in_place(const std::string& place, bool is_pipe) {
-  const int file = ::open(place.c_str(), O_WRONLY | O_CLOEXEC | (is_pipe ? O_NONBLOCK : 0));
-  if (file >= 0 && is_pipe) static_cast<void>(::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK));
+}  // namespace
+
+int open_to_write(const std::string& place, int flags) {
+  const int file = ::open(place.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+  if (file >= 0) static_cast<void>(::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK));
   return file;
 }
 
-}  // namespace
-
 Error cannot_open(const std::string& path, int error) {
+  struct stat info = {};
+  if (error == ENXIO && ::stat(path.c_str(), &info) == 0 && S_ISFIFO(info.st_mode)) {
+    return bad_input(path + ": is a pipe that nothing reads; begin to read it first");
+  }
   const bool is_systems = error == EROFS || error == ENOSPC || error == EDQUOT || error == EIO || error == EMFILE ||
                           error == ENFILE || error == ENOMEM;
   const std::string message = path + ": cannot be written: " + std::strerror(error);
@@ -46,9 +49,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   out.replaces_ = exists && !out.in_place_;
   if (out.in_place_) {
     out.part_ = out.place_;
-    out.file_ = open_in_place(out.place_, S_ISFIFO(old.st_mode));
-    if (out.file_ < 0 && errno == ENXIO)
-      return bad_input(path + ": is a pipe that nothing reads; begin to read it first");
+    out.file_ = open_to_write(out.place_, 0);
   } else {
     out.file_ = open_part(out.place_, out.part_);
   }

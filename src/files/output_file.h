@@ -8,6 +8,10 @@
 
 namespace tumble::files {
 
+/// Opens a file for writing, with these flags of open() besides. A pipe that nothing reads is an error, ENXIO, at once:
+/// to wait for a reader may take for ever, and no interruption ends that.
+int open_to_write(const std::string& place, int flags);
+
 /// The error for a file that cannot be opened for writing, from errno: kCannotFinish where the disk or a limit of the
 /// system is at fault, else kBadInput.
 Error cannot_open(const std::string& path, int error);

@@ -62,6 +62,19 @@ TEST_F(LockedLog, ImportAndRecoverKeepOffToo) {
   EXPECT_NE(recovered.err.find("is being written by process"), std::string::npos) << recovered.err;
 }
 
+TEST(PipeForALog, IsRefusedAtOnceWhereNothingReadsIt) {
+  const Workshop shop;
+  shop.record_small("a");
+  ASSERT_EQ(shop.run_after("mkfifo pipe; ", {"--version"}).exit, 0);
+  const std::vector<std::vector<std::string>> commands = {{"record", "a.toml", "-o", "pipe"},
+                                                          {"record", "--from", "a.tumble:3", "-o", "pipe"}};
+  for (const std::vector<std::string>& words : commands) {
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("pipe that nothing reads"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(LockedLog, ACrashReleasesTheLog) {
   EXPECT_EQ(beside({"record", "a.toml", "-o", "x.tumble"}).exit, 2);
   end(SIGKILL);
