@@ -2,7 +2,7 @@
 // an engine did not tell. And what it knows has room.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
-import { writeFileSync } from "node:fs";
+import { copyFileSync, statSync, truncateSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { eventually, kPatienceMs } from "../report_page/eventually.js";
@@ -39,6 +39,7 @@ before(async () => {
   sessions.record("long.tumble", { steps: 400 }, "--set", "world.freezing=false");
   sessions.record("other.tumble", { steps: 400, thrown: "0.123456789" }, "--set", "world.freezing=false");
   sessions.damage("long.tumble", "damaged.tumble");
+  copyFileSync(sessions.path("long.tumble"), sessions.path("torn.tumble"));
   let text = "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,world.heat\n";
   for (let k = 0; k <= 10; ++k) text += `${k},wheel,0,0,1,1,0,0,0,${k >= 3 && k <= 6 ? "nan" : k}\n`;
   writeFileSync(sessions.path("heat.csv"), text);
@@ -80,6 +81,20 @@ test("where another engine tells no contacts there is no number of them", async 
     await search(page, "bodies = 1", /^1 run of steps, the first at 0/);
     await search(page, "contacts = 0", /^no step has a value of it/);
     assert.equal(await page.locator(".lane:visible", { has: page.locator('.label >> text="contacts"') }).count(), 0);
+  });
+});
+
+test("a page to send follows no log", async () => {
+  truncateSync(sessions.path("torn.tumble"), statSync(sessions.path("torn.tumble")).size / 2);
+  await both(["torn.tumble"], "", async (page, kind) => {
+    assert.match(await page.locator(".facts").textContent(), kind === "sent" ? /not finished: shown to its last chunk/ : /not finished: followed/);
+  });
+});
+
+test("an address that names body 0 names none", async () => {
+  await both(["heat.tumble"], "#step=3&body=0", async (page) => {
+    await eventually(page, () => page.locator("output.said").textContent(), (words) => words.startsWith("step 3 "), "the step");
+    assert.match(await page.locator(".panel", { has: page.locator("h2", { hasText: "Body" }) }).textContent(), /Press a body/);
   });
 });
 

@@ -4013,22 +4013,22 @@ continue;let o=await n.way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(
 set_lines("ways A",{points:t[0],colour:this.hue.way,opacity:.9}),this.stage.set_lines("ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40,
 session:1}:null))}resize(){let{clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(e,t)}};var lr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function n1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[lr(e.engine??"method ".concat(
 e.method)),lr("".concat(s," step").concat(s===1?"":"s")),lr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),lr("".concat(t.count," bod").concat(t.count===
-1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr("not finished: followed to its last chunk","warn")),n.lost.
-some(o=>o>0)&&r.push(lr("bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{
-head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,x]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f,"\
- to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(o,"The timeline \
-was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows places in m, z up").concat(
-t?", and names the first difference by the table's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.
-first+1," states (one in ").concat(l.every,", and those of inputs)"):s.gaps().length>0?"has every state that could be read":"has every state",u=!a.ours&&l.contact_steps===
-0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";
-e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].
-rows.begun_why_not;return n&&e.push(["","Contacts begun are counted no further: ".concat(n)]),e}function t0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X(
-"div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;
-e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat(
-"ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&
-c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...n1(l)])),n.replaceChildren(...i1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};
-return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,
-"). ")+"If tumble view was ended, start it again."}}}var s1=12,Vs=i=>String(typeof i=="number"?i:i??"\u2013"),ms=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
+1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(lr("damaged","fail")):r.push(lr(i.thin?"not finished: shown to its last chunk":"not finis\
+hed: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(lr("bodies lost","fail")),r}function i1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach(
+(s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,x]of s.gaps())e.push(
+["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.
+push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); \
+this page shows places in m, z up").concat(t?", and names the first difference by the table's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(
+l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):s.gaps().length>0?"has every state that could be rea\
+d":"has every state",u=!a.ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the larges\
+t values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by \
+tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are counted no further: ".concat(n)]),e}function t0(i){
+let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.
+slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.
+length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"\
+side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...n1(l)])),n.replaceChildren(...i1(i).
+map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The s\
+erver does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var s1=12,Vs=i=>String(typeof i=="number"?i:i??"\u2013"),ms=(i,e="")=>X("td",{textContent:i,className:e}),cr=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Gs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
 function r1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=ms("","number");if(a!==null&&
@@ -4312,13 +4312,13 @@ ork"},X("section",{className:"shown",ariaLabel:"the state shown"},this.toolbar.p
 {ariaLabel:"search and numbers"},this.search.place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.
 sessions.length===2&&this.side.show_difference()}union_of_steps(){return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-
 t):null}addressed(){let[e,t]=["step","body"].map(n=>new RegExp("(?:^#|&)".concat(n,"=(\\d+)")).exec(location.hash));return{step:e&&this.steps.at_or_before(Number(
-e[1])),body:t&&Number(t[1])}}go_to_address(){let{step:e,body:t}=this.addressed();e!==null&&this.player.seek(e),t!==null&&this.select(t)}async start(){let{step:e,
-body:t}=this.addressed(),n=e??this.steps.first;this.drawing.frames=await Promise.all(this.sessions.map(s=>s.frame_soon(n).catch(()=>null))),this.drawing.start(),
-this.player.seek(n),this.player.refresh(),t!==null&&this.select(t),addEventListener("hashchange",()=>this.go_to_address());for(let s of this.sessions)s.on_bodies=
-()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(this.view),Xa(()=>{this.drawing.restart(),this.timeline.draw()}),
-this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){let[{rows:e}]=this.sessions;return{gaps:this.sessions.flatMap(
-t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null,first_effect:this.difference?.effect?.step??null}}set_lanes(){let{
-rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...d0(this.bounds),...u0,...f0(e)];this.difference?.separation&&t.unshift(m0(this.difference.separation)),
+e[1])),body:Number(t?.[1]??0)||null}}go_to_address(){let{step:e,body:t}=this.addressed();e!==null&&this.player.seek(e),t!==null&&this.select(t)}async start(){let{
+step:e,body:t}=this.addressed(),n=e??this.steps.first;this.drawing.frames=await Promise.all(this.sessions.map(s=>s.frame_soon(n).catch(()=>null))),this.drawing.
+start(),this.player.seek(n),this.player.refresh(),t!==null&&this.select(t),addEventListener("hashchange",()=>this.go_to_address());for(let s of this.sessions)s.
+on_bodies=()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(this.view),Xa(()=>{this.drawing.restart(),this.timeline.
+draw()}),this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){let[{rows:e}]=this.sessions;return{gaps:this.sessions.
+flatMap(t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null,first_effect:this.difference?.effect?.step??null}}set_lanes(){
+let{rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...d0(this.bounds),...u0,...f0(e)];this.difference?.separation&&t.unshift(m0(this.difference.separation)),
 this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??
 1/0])),this.separations.get(e)??null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.
 difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&

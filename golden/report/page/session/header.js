@@ -8,7 +8,7 @@ function facts_of(session) {
   const steps = head.last - head.first;
   const chips = [chip(head.engine ?? `method ${head.method}`), chip(`${steps} step${steps === 1 ? "" : "s"}`),
     chip(`${Number(session.time_of(head.last).toPrecision(4))} s`), chip(`${bodies.count} bod${bodies.count === 1 ? "y" : "ies"}`)];
-  if (!head.finished) chips.push(chip("not finished: followed to its last chunk", "warn"));
+  if (!head.finished) chips.push(chip(session.thin ? "not finished: shown to its last chunk" : "not finished: followed to its last chunk", "warn"));
   else if (!head.sound || session.gaps().length > 0) chips.push(chip("damaged", "fail"));
   if (rows.lost.some((count) => count > 0)) chips.push(chip("bodies lost", "fail"));
   return chips;

@@ -56,7 +56,7 @@ export class SessionPage {
   /// The step and the body that the page's address names; null where it names none.
   addressed() {
     const [step, body] = ["step", "body"].map((name) => new RegExp(`(?:^#|&)${name}=(\\d+)`).exec(location.hash));
-    return { step: step && this.steps.at_or_before(Number(step[1])), body: body && Number(body[1]) };
+    return { step: step && this.steps.at_or_before(Number(step[1])), body: Number(body?.[1] ?? 0) || null };  // ids begin at 1
   }
 
   go_to_address() {
