@@ -29,7 +29,7 @@ function notices_of(page) {
     const every = thin.every > 1;
     const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`
       : session.gaps().length > 0 ? "has every state that could be read" : "has every state";
-    const contacts = !head.ours && thin.contact_steps === 0 ? "" : `, with the contacts of ${thin.contact_steps} states`;
+    const contacts = !head.ours && thin.contact_steps === 0 ? "" : `, with the contacts of ${thin.contact_steps} state${thin.contact_steps === 1 ? "" : "s"}`;
     const rows = thin.rows_run > 1 ? `; its timeline has the largest values of ${thin.rows_run} steps each` : "";
     notices.push([every ? "warn" : "", `${who}This page ${kept}, rounded to 0.1 mm${contacts}${rows}. Served by tumble view it has every bit.`]);
   });
