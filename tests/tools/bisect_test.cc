@@ -80,6 +80,7 @@ TEST(BisectCommand, FindsTheCommitByAMetric) {
     const std::string wanted = std::string(words).substr(std::string(words).find('|') + 1);
     EXPECT_NE(text.out.find(wanted), std::string::npos) << wanted << "\n" << text.out;
   }
+  EXPECT_EQ(text.out.find("about 0 steps"), std::string::npos) << text.out;
 }
 
 TEST(BisectCommand, FindsTheCommitByAnImage) {

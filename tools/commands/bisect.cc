@@ -166,7 +166,8 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
       [&](const bisect::Tested& tested, std::uint64_t left, unsigned steps) {
         out << tested_text(tested);
         if (left > 0) {
-          out << "\n      " << count_text(left, "commit") << " left, about " << count_text(steps, "step");
+          out << "\n      " << count_text(left, "commit") << " left";
+          if (steps > 0) out << ", about " << count_text(steps, "step");
         }
         out << std::endl;
       });
