@@ -39,7 +39,7 @@ void AccountObserver::layer_solved(const sim::Scratch& scratch, const sim::Conta
       const std::uint32_t entry = all.entries[e], slot = entry / 2;
       const sim::ContactBatch& batch = all.batches[all.layer_start[layer] + slot / sim::kLanes];
       const sim::Manifold& m = manifolds[all.order[batch.members + slot % sim::kLanes]];
-      const double* row = all.outcomes[entry].of;
+      const double* row = scratch.outcomes[entry].of;
       const sim::Vec3 velocity = sim::VelocityGrid::round(sim::Vec3(row[0], row[1], row[2]));
       const sim::Vec3 spin = sim::VelocityGrid::round(sim::Vec3(row[3], row[4], row[5]));
       if (velocity == sim::Vec3::Zero() && spin == sim::Vec3::Zero()) continue;

@@ -154,7 +154,7 @@ void fill_cells(SweepScratch& sweep, const Cells& cells, const Worker& worker) {
   worker.meet();
   for (std::size_t k = share.begin; k < share.end; ++k) {
     const SweepScratch::Box& box = sweep.boxes[k];
-    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[counts.take(c)] = {box, sweep.order[k]}; });
+    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[counts.take(c)] = static_cast<std::uint32_t>(k); });
   }
   worker.meet();
 }
@@ -163,13 +163,14 @@ void fill_cells(SweepScratch& sweep, const Cells& cells, const Worker& worker) {
 // the first axis too.
 void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cell, double bin, FoundPairs& found) {
   const std::size_t most = near_pairs_max(sweep.order.size());
-  const SweepScratch::Entry* const end = sweep.entries.data() + sweep.cell_start[cell + 1];
-  for (const SweepScratch::Entry* i = sweep.entries.data() + sweep.cell_start[cell]; i != end; ++i) {
+  const SweepScratch::Box* const boxes = sweep.boxes.data();
+  const std::uint32_t* const end = sweep.entries.data() + sweep.cell_start[cell + 1];
+  for (const std::uint32_t* i = sweep.entries.data() + sweep.cell_start[cell]; i != end; ++i) {
     if (found.size() > most) return;
-    const SweepScratch::Box& p = i->box;
+    const SweepScratch::Box& p = boxes[*i];
     const double limit = p.high1 + bin;
-    for (const SweepScratch::Entry* j = i + 1; j != end && j->box.low1 <= limit; ++j) {
-      const SweepScratch::Box& q = j->box;
+    for (const std::uint32_t* j = i + 1; j != end && boxes[*j].low1 <= limit; ++j) {
+      const SweepScratch::Box& q = boxes[*j];
       // One branch, nearly always taken, instead of six unpredictable ones.
       const bool apart = static_cast<unsigned>(q.low1 > p.high1) | static_cast<unsigned>(p.low1 > q.high1) |
                          static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
@@ -177,7 +178,7 @@ void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cel
       if (apart) continue;
       // A pair that shares several cells counts in the first.
       const std::uint32_t s = cells.second.of(std::max(p.low2, q.low2)), t = cells.third.of(std::max(p.low3, q.low3));
-      if (s * cells.third.count + t == cell) found.push_back(std::minmax(i->body, j->body));
+      if (s * cells.third.count + t == cell) found.push_back(std::minmax(sweep.order[*i], sweep.order[*j]));
     }
   }
 }

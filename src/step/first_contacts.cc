@@ -104,8 +104,7 @@ void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
   });
   ContactMemory found;
   remember_contacts(scratch.manifolds, scratch.manifold_points, nullptr, found);
-  ContactMemory buffer;
-  merge_contacts(state.contact_memory, found, nullptr, buffer);
+  merge_contacts(state.contact_memory, found);
 }
 
 }  // namespace

@@ -44,11 +44,10 @@ std::size_t held(const ContactBatches& b) {
   std::size_t uses = held(b.uses);
   for (const std::vector<std::uint32_t>& of_worker : b.uses) uses += held(of_worker);
   return uses + held_by(b.batches, b.sides, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start,
-                        b.touched_end, b.counts, b.entries, b.outcomes);
+                        b.touched_end, b.counts, b.entries);
 }
 std::size_t held(const FastContacts& f) {
-  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits,
-                 f.merged);
+  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits);
 }
 std::size_t held(const WaveScratch& w) { return held_by(w.pushed[0], w.pushed[1], w.taken, w.start); }
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
@@ -87,22 +86,20 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});
   parts.push_back({"batches", GrowsWith::kContacts,
-                   held_by(s.contact_batches, s.fast, shares.order, shares.first, shares.heirs, shares.urgent,
-                           shares.copies, shares.touched, shares.touched_first, shares.counts) +
+                   held_by(s.contact_batches, s.outcomes, s.fast, shares.order, shares.first, shares.heirs,
+                           shares.urgent, shares.copies, shares.touched, shares.touched_first, shares.counts) +
                        held_inside(shares.places)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
-                           s.visits.reach_of_body, s.visits.reach, s.overlaps.velocity, s.overlaps.spin, s.energies,
-                           shares.users, shares.copies_before) +
+                           s.visits.reach_of_body, s.visits.reach, s.energies, shares.users, shares.copies_before) +
                        held_inside(s.visits.layers)});
   parts.push_back(
       {"levels, islands and sleep", GrowsWith::kBodies,
        held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked, i.layers,
-               i.bodies, i.deepest, i.reach2, i.heaviest, s.graph.start, s.graph.next, w.start, w.waiting_for,
-               w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck, w.stands, w.held, w.settled,
-               w.offered, s.island_links, s.waking.disturbed, s.waking.woken, s.waking.wakes, s.sleeping.touching,
-               s.sleeping.least, s.sleeping.restless, s.sleeping.held, s.sleeping.together, s.sleeping.energy_before,
-               s.sleeping.liveliest_before, s.sleeping.liveliest) +
+               i.reach2, i.heaviest, s.graph.start, w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y,
+               w.blows, w.first_blow, w.struck, w.stands, w.held, w.settled, w.offered, s.island_links,
+               s.waking.disturbed, s.waking.woken, s.waking.wakes, s.sleeping.touching, s.sleeping.restless,
+               s.sleeping.held, s.sleeping.together, s.sleeping.energy_before) +
            held_inside(s.waves)});
 }
 

@@ -117,7 +117,7 @@ struct alignas(64) WaveScratch {
   std::vector<std::uint32_t> start;  ///< by wave, in `taken`; one more at the end
 };
 
-/// The islands of a step. assign_levels writes them; part_overlaps `deepest`, carry_weights `bodies` to `heaviest`.
+/// The islands of a step. assign_levels writes them; carry_weights `reach2` and `heaviest`.
 struct IslandScratch {
   std::vector<BodyIndex> of, hit;                  ///< by body, the one that stands for its island; for those of hits
   std::vector<std::uint8_t> hard;                  ///< by body, whether its island is hard
@@ -125,9 +125,7 @@ struct IslandScratch {
   std::vector<std::uint8_t> marked;                ///< by the body that stands for an island
   std::vector<std::uint8_t> most_sweeps, has_bar;  ///< by the body that stands for an island of hits; of its bodies
   std::vector<std::uint32_t> layers;               ///< likewise, how many
-  std::vector<double> deepest;                     ///< by the body that stands for an island, m, of its overlaps
-  std::vector<std::uint32_t> bodies;               ///< likewise, how many
-  std::vector<double> reach2, heaviest;            ///< likewise, m², kg; of corners and masses
+  std::vector<double> reach2, heaviest;  ///< by the body that stands for an island, m², kg; of corners and masses
 };
 
 /// Memory of carry_weights.
@@ -168,13 +166,6 @@ struct WeightScratch {
   std::vector<double> offered;            ///< kg, by body, the largest mass above
   std::vector<double> borne;              ///< kg, by body, everything that rests on the body
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it
-};
-
-/// What part_overlaps exchanges with solver_bodies while it solves: speeds that end overlaps within the step and then
-/// are forgotten. update_sleeping reads them.
-struct OverlapScratch {
-  bool any = false;                  ///< whether anything parts in this step; the rest is old where nothing does
-  std::vector<Vec3> velocity, spin;  ///< m/s, rad/s, by row of solver_bodies; afterwards those that part
 };
 
 /// Which bodies the sweeps of a step have moved; ContactWork::visit.
@@ -231,12 +222,10 @@ struct SweepShares {
 /// Memory of update_sleeping.
 struct SleepScratch {
   std::vector<std::uint8_t> touching;  ///< bodies that touch anything
-  std::vector<double> least;           ///< s, the least time of rest of a body and of those that it touches
   std::vector<std::uint8_t> restless;  ///< by the body that stands for an island
   std::vector<std::uint8_t> held;      ///< likewise: the island touches what does not move
   std::vector<std::uint8_t> together;  ///< likewise: the island has two bodies or more
   std::vector<double> energy_before;   ///< J/kg, as prepare_manifolds found a body; of those that may sleep afterwards
-  std::vector<double> liveliest_before, liveliest;  ///< J/kg, by island: the most of a body, and what it is after
 };
 
 }  // namespace tumble::sim

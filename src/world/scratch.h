@@ -60,15 +60,10 @@ struct SweepScratch {
   };
   std::vector<Extents> extents;      ///< by worker and axis
   std::vector<std::uint32_t> start;  ///< by body a, in `partner`
-  std::vector<std::uint32_t> next;   ///< memory of KeyCounts
+  std::vector<std::uint32_t> next;   ///< memory of KeyCounts, of one phase at a time
   std::vector<BodyIndex> partner;
   PairTable merged;
-  // Entries of the cells (find_overlaps_in_strips).
-  struct Entry {
-    Box box;
-    BodyIndex body;
-  };
-  std::vector<Entry> entries;             ///< cell by cell
+  std::vector<std::uint32_t> entries;     ///< of cells (find_overlaps_in_strips), cell by cell: places in `boxes`
   std::vector<std::uint32_t> cell_start;  ///< by cell, in `entries`
 };
 
@@ -99,7 +94,6 @@ struct ContactBatches {
   std::vector<std::uint32_t> entries;                     ///< rows of `outcomes`, body by body
   std::vector<std::vector<std::uint32_t>> uses;           ///< by worker and body, while a layer is counted
   std::vector<std::uint32_t> counts;                      ///< by batch, points, while batches are filled
-  std::vector<Outcome> outcomes;                          ///< of one layer at a time
 };
 
 /// The layers of hard islands, or of the others. No moving body is in two groups. Written by assign_levels.
@@ -123,7 +117,6 @@ struct ContactGraph {
   std::vector<Link> links;           ///< by manifold
   std::vector<std::uint32_t> start;  ///< by body, in `ends`
   std::vector<std::uint32_t> ends;   ///< body by body, ascending: 2 · manifold + (1 where the body is b)
-  std::vector<std::uint32_t> next;   ///< memory of KeyCounts, while `ends` is filled
 };
 
 /// A pair of bodies (lower row, higher row), or a body and kGround.
@@ -179,7 +172,6 @@ struct FastContacts {
   std::vector<std::uint32_t> members;  ///< of the layer
   std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
   std::vector<std::uint8_t> waits;     ///< as `bodies`: those that bounce now
-  ContactMemory merged;                ///< memory of finish_motion
 
   [[nodiscard]] bool none() const { return pairs.empty(); }
 };
@@ -211,8 +203,8 @@ inline constexpr std::uint8_t kHit = 1, kBouncesFully = 2;
 struct Scratch {
   // Both methods: boxes and the search for pairs.
   std::vector<BoxFrame> frames;  ///< written by find_pairs and find_near_pairs
-  Vec3Column aabb_low;           ///< likewise; on PositionGrid
-  Vec3Column aabb_high;
+  Vec3Column aabb_low;           ///< likewise; on PositionGrid; method layered: also parting_velocity
+  Vec3Column aabb_high;          ///< and parting_spin
   SweepScratch sweep;
 
   // Method thesis: what a phase passes on, in the order of the phases; then memory of single phases.
@@ -250,9 +242,10 @@ struct Scratch {
   std::vector<std::uint8_t> in_contact;    ///< by body, kFree … kInFastPair; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;
+  std::vector<Outcome> outcomes;        ///< of one layer at a time, or of the contacts of fast pairs
   SweepShares shares;                   ///< written by prepare_manifolds
   VisitScratch visits;                  ///< written by prepare_manifolds and every sweep
-  OverlapScratch overlaps;              ///< written by part_overlaps
+  bool overlaps_part = false;           ///< any of them, in this step; written by part_overlaps
   std::vector<WaveScratch> waves;       ///< by worker; of assign_levels, then of carry_weights
   std::vector<BodyIndex> island_links;  ///< memory of Islands, of one phase at a time
   WakeScratch waking;
@@ -272,6 +265,14 @@ struct Scratch {
   Hasher* hasher = nullptr;            ///< of the observer, while a phase may feed it (hash_on_the_way.h)
   const Hasher* fed_hasher = nullptr;  ///< that the last phase has fed
 };
+
+/// What part_overlaps exchanges with solver_bodies while it solves, by row of these: speeds that end overlaps within
+/// the step and then are forgotten, m/s and rad/s; update_sleeping reads them. Old where nothing parts. They lie in the
+/// place of the AABBs, which find_near_pairs and nobody after it reads.
+inline Vec3Column& parting_velocity(Scratch& scratch) { return scratch.aabb_low; }
+inline Vec3Column& parting_spin(Scratch& scratch) { return scratch.aabb_high; }
+inline const Vec3Column& parting_velocity(const Scratch& scratch) { return scratch.aabb_low; }
+inline const Vec3Column& parting_spin(const Scratch& scratch) { return scratch.aabb_high; }
 
 /// The points of a manifold.
 inline std::span<ManifoldPoint> points_of(Scratch& scratch, const Manifold& m) {

@@ -219,8 +219,8 @@ TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
   Changer changer({
       {"part_overlaps", "position", [](World& w) { bodies(w).position.z[0] += 1; }},
       {"part_overlaps", "orientation", [](World& w) { bodies(w).orientation.z[1] += 1; }},
-      {"part_overlaps", "parting velocity", [](World& w) { w.mutable_scratch().overlaps.velocity[0].z() += 1; }},
-      {"part_overlaps", "parting spin", [](World& w) { w.mutable_scratch().overlaps.spin[1].x() += 1; }},
+      {"part_overlaps", "parting velocity", [](World& w) { parting_velocity(w.mutable_scratch()).z[0] += 1; }},
+      {"part_overlaps", "parting spin", [](World& w) { parting_spin(w.mutable_scratch()).x[1] += 1; }},
       {"part_overlaps", "velocity", [](World& w) { body(w).velocity.z() += 1; }},
       {"part_overlaps", "spin", [](World& w) { body(w).spin.y() += 1; }},
       {"part_overlaps", "separation", [](World& w) { lane(point(w).separation) += 1; }},

@@ -69,7 +69,7 @@ class Watch : public sim::Observer {
     step_.fast_pairs |= !scratch.fast.none();
     step_.hard_islands |= std::ranges::any_of(scratch.sweep_groups, &sim::SweepGroup::hard);
     step_.lent_inertia |= std::ranges::any_of(scratch.lent_along, [](const Vec3& along) { return length(along) > 0; });
-    step_.parted |= scratch.overlaps.any;
+    step_.parted |= scratch.overlaps_part;
   }
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

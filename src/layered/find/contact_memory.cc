@@ -2,34 +2,24 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace tumble::sim {
 namespace {
 
-// A cursor over the contacts [at, end) of a memory and their points.
-struct Cursor {
-  Cursor(const ContactMemory& of, std::size_t begin, std::size_t end_of)
-      : memory(of), at(begin), end(end_of), point(points_before(of, begin)) {}
-
-  [[nodiscard]] bool done() const { return at == end; }
-  // Copies the next contact to row `row` and its points to those from to_point on.
-  void copy_to(ContactMemory& to, std::size_t row, std::size_t& to_point) {
-    to.a[row] = memory.a[at];
-    to.b[row] = memory.b[at];
-    to.count[row] = memory.count[at];
-    to.friction.set(row, memory.friction[at]);
-    to.twist[row] = memory.twist[at];
-    for (std::uint32_t k = 0; k < memory.count[at]; ++k, ++point, ++to_point) {
-      to.feature[to_point] = memory.feature[point];
-      to.impulse[to_point] = memory.impulse[point];
-    }
-    ++at;
+// Moves contact `from` of a memory to row `to` of a memory, which may be the same, from the last column on; its points
+// lie before from_point, and go before to_point.
+void move_contact(const ContactMemory& of, std::size_t from, std::size_t from_point, ContactMemory& memory,
+                  std::size_t to, std::size_t to_point) {
+  for (std::uint32_t k = 0; k < of.count[from]; ++k) {
+    memory.feature[--to_point] = of.feature[--from_point];
+    memory.impulse[to_point] = of.impulse[from_point];
   }
-
-  const ContactMemory& memory;
-  std::size_t at, end, point;
-};
+  memory.a[to] = of.a[from];
+  memory.b[to] = of.b[from];
+  memory.count[to] = of.count[from];
+  memory.friction.set(to, of.friction[from]);
+  memory.twist[to] = of.twist[from];
+}
 
 void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactMemory& memory, std::size_t at,
               std::size_t point) {
@@ -46,11 +36,10 @@ void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactM
 
 // Room for so many contacts and points.
 void make_room(ContactMemory& memory, std::size_t contacts, std::size_t points) {
-  memory.a.resize(contacts);
-  memory.b.resize(contacts);
-  memory.count.resize(contacts);
-  memory.friction.resize(contacts);
-  memory.twist.resize(contacts);
+  for (auto* column : {&memory.a, &memory.b, &memory.count}) column->resize(contacts);
+  for (auto* column : {&memory.friction.x, &memory.friction.y, &memory.friction.z, &memory.twist}) {
+    column->resize(contacts);
+  }
   memory.feature.resize(points);
   memory.impulse.resize(points);
 }
@@ -90,21 +79,19 @@ void remember_contacts(std::span<const Manifold> manifolds, std::span<const Mani
   });
 }
 
-void merge_contacts(ContactMemory& memory, const ContactMemory& added, Workers* workers, ContactMemory& buffer) {
-  ContactMemory& merged = buffer;
-  make_room(merged, memory.size() + added.size(), memory.feature.size() + added.feature.size());
-  for_ranges(workers, memory.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
-    const auto place = [&](std::size_t k) {
-      return k < memory.size() ? contacts_before(added, pair_of(memory, k)) : added.size();
-    };
-    Cursor old(memory, begin, end), fresh(added, begin == 0 ? 0 : place(begin), place(end));
-    std::size_t point = old.point + fresh.point;
-    for (std::size_t row = old.at + fresh.at; !old.done() || !fresh.done(); ++row) {
-      const bool take_old = fresh.done() || (!old.done() && pair_of(memory, old.at) <= pair_of(added, fresh.at));
-      (take_old ? old : fresh).copy_to(merged, row, point);
-    }
-  });
-  std::swap(memory, merged);
+// From the last contact to the first one that is added, so that each moves to a place that is free already.
+void merge_contacts(ContactMemory& memory, const ContactMemory& added) {
+  std::size_t old = memory.size(), fresh = added.size();
+  std::size_t old_point = memory.feature.size(), fresh_point = added.feature.size();
+  make_room(memory, old + fresh, old_point + fresh_point);
+  while (fresh > 0) {
+    const bool takes_old = old > 0 && pair_of(added, fresh - 1) < pair_of(memory, old - 1);
+    const ContactMemory& of = takes_old ? memory : added;
+    std::size_t &from = takes_old ? old : fresh, &from_point = takes_old ? old_point : fresh_point;
+    move_contact(of, from - 1, from_point, memory, old + fresh - 1, old_point + fresh_point);
+    --from;
+    from_point -= of.count[from];
+  }
 }
 
 }  // namespace tumble::sim

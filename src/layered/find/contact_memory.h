@@ -26,8 +26,7 @@ std::size_t points_before(const ContactMemory& memory, std::size_t k);
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
                        ContactMemory& memory);
 
-/// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both. buffer: any; its memory is
-/// used.
-void merge_contacts(ContactMemory& memory, const ContactMemory& added, Workers* workers, ContactMemory& buffer);
+/// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both.
+void merge_contacts(ContactMemory& memory, const ContactMemory& added);
 
 }  // namespace tumble::sim

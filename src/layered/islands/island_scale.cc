@@ -7,6 +7,10 @@ namespace tumble::sim {
 
 namespace {
 
+// By the body that stands for an island: how many there are, in the place of the layers that assign_levels counts.
+std::vector<std::uint32_t>& bodies_of(IslandScratch& islands) { return islands.layers; }
+const std::vector<std::uint32_t>& bodies_of(const IslandScratch& islands) { return islands.layers; }
+
 // Bodies of one island that follow one another.
 struct Run {
   BodyIndex island = 0;
@@ -15,7 +19,7 @@ struct Run {
 
   void add_to(IslandScratch& islands, const Worker& worker) const {
     if (bodies == 0) return;
-    worker.add(islands.bodies[island], bodies);
+    worker.add(bodies_of(islands)[island], bodies);
     worker.raise(islands.heaviest[island], heaviest);
     worker.raise(islands.reach2[island], reach2);
   }
@@ -25,7 +29,7 @@ struct Run {
 
 void measure_islands(const Bodies& bodies, Scratch& scratch) {
   IslandScratch& islands = scratch.islands;
-  islands.bodies.assign(bodies.size(), 0);
+  bodies_of(islands).assign(bodies.size(), 0);
   islands.heaviest.assign(bodies.size(), 0);
   islands.reach2.assign(bodies.size(), 1);
   const unsigned parts = part_count(scratch.workers, bodies.size(), kBodiesAPart);
@@ -49,7 +53,7 @@ void measure_islands(const Bodies& bodies, Scratch& scratch) {
 IslandScale scale_of(const IslandScratch& islands, BodyIndex i) {
   const BodyIndex island = islands.of[i];
   const double reach = std::sqrt(islands.reach2[island]);
-  const double most = static_cast<double>(islands.bodies[island]) * islands.heaviest[island] * reach;  // kg·m
+  const double most = static_cast<double>(bodies_of(islands)[island]) * islands.heaviest[island] * reach;  // kg·m
   return {reach, VelocityGrid::kMagic * (power_of_two(most) / 2048)};
 }
 

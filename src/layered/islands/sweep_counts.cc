@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/layered/islands/awake_links.h"
+#include "src/layered/islands/later_numbers.h"
 
 namespace tumble::sim {
 namespace {
@@ -112,7 +113,7 @@ void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std
 void count_parting_sweeps(const WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   const ContactBatches& all = scratch.contact_batches;
-  std::vector<double>& deepest = scratch.islands.deepest;
+  std::vector<double>& deepest = deepest_overlaps(scratch);
   deepest.assign(bodies.size(), 0);
   for_lanes(bodies, scratch, [&](const ContactBatch& batch, const BatchSides& sides, unsigned lane, BodyIndex island) {
     if (sides.visited[lane] == 0) shared::raise(deepest[island], overlap_of(all, batch, lane));

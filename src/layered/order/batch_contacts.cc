@@ -34,10 +34,10 @@ class Grouping {
   Grouping(const LayerList& layers, std::span<const Manifold> manifolds, ContactBatches& all)
       : layers_(layers), manifolds_(manifolds), all_(all) {
     all_.layer_start.assign(1, 0);
-    std::uint32_t batches = 0, widest = 0;
+    std::uint32_t batches = 0;
     for (std::uint32_t layer = 0; layer < layers_.count(); ++layer) {
       const std::uint32_t here = (layers_.start[layer + 1] - layers_.start[layer] + kLanes - 1) / kLanes;
-      widest = std::max(widest, here);
+      widest_ = std::max(widest_, here);
       all_.layer_start.push_back(batches += here);
     }
     all_.place.resize(manifolds.size());
@@ -45,8 +45,10 @@ class Grouping {
     all_.batches.resize(batches);
     all_.sides.resize(batches);
     all_.counts.resize(batches + 1);
-    make_outcomes(all_, widest);
   }
+
+  // Batches of the layer that has the most of them.
+  [[nodiscard]] std::uint32_t widest() const { return widest_; }
 
   void group_layer(std::uint32_t layer) {
     const std::uint32_t begin = layers_.start[layer], end = layers_.start[layer + 1];
@@ -96,6 +98,7 @@ class Grouping {
   const LayerList& layers_;
   std::span<const Manifold> manifolds_;
   ContactBatches& all_;
+  std::uint32_t widest_ = 0;
 };
 
 void set(Lanes* lanes, unsigned lane, const Vec3& v) {
@@ -215,6 +218,7 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
   Workers* const workers = scratch.workers;
   Grouping grouping(layers, manifolds, all);
   const unsigned parts = part_count(workers, all.batches.size(), kBatchesAPart);
+  make_outcomes(scratch, grouping.widest());
   all.touched.resize(2 * all.order.size());
   all.entries.resize(2 * all.order.size());
   all.touched_start.resize(layers.count());

@@ -90,7 +90,6 @@ class Walk {
     for (std::vector<double>* column : {&own_.borne, &own_.moment_x, &own_.moment_y}) fill(*column, 0);
     for (std::vector<std::uint8_t>* column : {&own_.stands, &own_.held, &own_.settled, &own_.struck}) fill(*column, 0);
     fill(own_.first_blow, WeightScratch::kNoBlow);
-    fill(upward_of(scratch_), Vec3(Vec3::Zero()));
     fill(scratch_.lent_along, Vec3(Vec3::Zero()));
     for (std::size_t i = share.begin; i < share.end; ++i) {
       own_.offered[i] = scratch_.solver_mass[i] = bodies_.mass[i];
@@ -236,7 +235,7 @@ void make_room(Scratch& scratch, std::size_t bodies, unsigned workers) {
     column->resize(bodies);
   }
   for (auto* column : {&own.stands, &own.held, &own.settled, &own.struck}) column->resize(bodies);
-  for (auto* column : {&upward_of(scratch), &scratch.lent_along}) column->resize(bodies);
+  scratch.lent_along.resize(bodies);
   own.waiting_for.resize(bodies);
   own.first_blow.resize(bodies);
   own.start.resize(bodies + 1);

@@ -41,7 +41,7 @@ void connect_contacts(const WorldState& state, Scratch& scratch) {
     for (std::size_t k = share.begin; k < share.end; ++k) {
       graph.links[k] = link_of(state, scratch, scratch.manifolds[k]);
     }
-    KeyCounts counts(graph.next, n, worker);
+    KeyCounts counts(scratch.sweep.next, n, worker);
     for_bodies(graph, share, [&](BodyIndex i, std::uint32_t) { counts.add(i); });
     const std::uint32_t all = counts.find_places([&](std::size_t i, std::uint32_t at) { graph.start[i] = at; });
     if (worker.first()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <utility>
 
 namespace tumble::sim {
 namespace {
@@ -94,7 +95,7 @@ void lend_inertia(const WorldState& state, Scratch& scratch, const Waves& waves)
   const Bodies& bodies = state.bodies;
   WeightScratch& own = scratch.weights;
   waves.for_all([&](BodyIndex i) {
-    const Vec3 upward = upward_of(scratch)[i];
+    const Vec3 upward = std::exchange(upward_of(scratch)[i], Vec3::Zero());
     if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) return;
     const Vec3 along = upward / length(upward);
     if (!stays_on(bodies, i, along)) return;

@@ -13,9 +13,9 @@ namespace tumble::sim {
 /// order of points and no image of the scene shows. m
 bool press_between(std::span<const WeightScratch::SupportPoint> points, double x, double y);
 
-/// kg, by body, the sum of its supports' normals times their loads. part_overlaps, which comes later in a step, writes
-/// its speeds to the same memory.
-inline std::vector<Vec3>& upward_of(Scratch& scratch) { return scratch.overlaps.velocity; }
+/// kg, by body, the sum of its supports' normals times their loads, in the place of the direction that lend_inertia
+/// makes of it.
+inline std::vector<Vec3>& upward_of(Scratch& scratch) { return scratch.lent_along; }
 
 /// Finds the bodies that are *held*: their weight and all that they bear press between points that touch ground, a body
 /// that does not move, or a body that is held; nothing that falls or topples is. Among these, finds those that are
@@ -29,7 +29,7 @@ bool may_start(const WeightScratch& own, const WeightScratch::Support& support);
 /// Lends the inertia of heavy bodies to the light ones that hold them up: the number of sweeps until an impulse has
 /// passed a contact is about the ratio of the two masses. Only a held body is lent any, along its supports' normals,
 /// where it moves little, and for turns about axes across; all other motion keeps its momentum.
-/// Reads:  mass; held, offered, and what carry_weights has found
+/// Reads:  mass; held, offered, upward_of, and what carry_weights has found
 /// Writes: solver_mass, lent_along
 /// Order:  maxima, and sums of grid doubles
 void lend_inertia(const WorldState& state, Scratch& scratch, const Waves& waves);

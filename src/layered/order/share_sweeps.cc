@@ -263,7 +263,7 @@ void share_sweeps(const WorldState& state, Scratch& scratch) {
   shares.heirs.resize(pieces);
   shares.urgent.resize(pieces);
   shares.touched_first.resize(pieces + 1);
-  make_outcomes(all, all.batches.size());  // workers are not all in one layer
+  make_outcomes(scratch, all.batches.size());  // workers are not all in one layer
   if (shares.places.size() < shares.parts) shares.places.resize(shares.parts);
   const int axis = axis_to_cut(state.bodies, all);
   work_together(scratch.workers, shares.parts,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "src/layered/islands/later_numbers.h"
 #include "src/world/body_check.h"
 #include "src/world/islands.h"
 
@@ -18,8 +19,8 @@ double speed_of(double energy_per_kg) { return std::sqrt(2 * energy_per_kg); }
 // J/kg, of the motion that parts a body from others; as if all of its mass turned at the distance of a corner, which is
 // a bound.
 double parting(const Scratch& scratch, BodyIndex i) {
-  if (!scratch.overlaps.any) return 0;
-  const Vec3 &velocity = scratch.overlaps.velocity[i], &spin = scratch.overlaps.spin[i];
+  if (!scratch.overlaps_part) return 0;
+  const Vec3 velocity = parting_velocity(scratch)[i], spin = parting_spin(scratch)[i];
   const Vec3& half = scratch.frames[i].half_extent;
   return 0.5 * (dot(velocity, velocity) + dot(spin, spin) * dot(half, half));
 }
@@ -40,14 +41,15 @@ void for_touching(const Scratch& scratch, Visit visit) {
 void look_around(const Bodies& bodies, Scratch& scratch) {
   SleepScratch& sleeping = scratch.sleeping;
   sleeping.touching.assign(bodies.size(), 0);
-  sleeping.least = bodies.low_energy_time;
+  std::vector<double>& least = least_rests(scratch);
+  least = bodies.low_energy_time;
   for_touching(scratch, [&](const Manifold& m) {
     mark(sleeping.touching[m.b]);
     if (m.a == kGround) return;
     mark(sleeping.touching[m.a]);
     if (!bodies.moves(m.a) || !bodies.moves(m.b)) return;
-    shared::lower(sleeping.least[m.a], bodies.low_energy_time[m.b]);
-    shared::lower(sleeping.least[m.b], bodies.low_energy_time[m.a]);
+    shared::lower(least[m.a], bodies.low_energy_time[m.b]);
+    shared::lower(least[m.b], bodies.low_energy_time[m.a]);
   });
 }
 
@@ -61,7 +63,7 @@ bool advance_timers(WorldState& state, Scratch& scratch, double dt_s) {
       if (!bodies.moves(i)) continue;
       const bool low = scratch.sleeping.touching[i] != 0 && energy_per_mass(bodies, i) < def.freeze_energy &&
                        parting(scratch, i) < def.freeze_energy;
-      bodies.low_energy_time[i] = low ? scratch.sleeping.least[i] + dt_s : 0;
+      bodies.low_energy_time[i] = low ? least_rests(scratch)[i] + dt_s : 0;
       if (bodies.low_energy_time[i] >= def.freeze_time) mark(any);
     }
   });
@@ -103,21 +105,21 @@ void for_moving(const Bodies& bodies, const Scratch& scratch, Visit visit) {
 // Of each island the largest energy per kilogram of a body, before the step and now. A largest one depends on no order,
 // as a sum of energies would.
 void find_liveliest(const Bodies& bodies, Scratch& scratch, Islands& islands) {
-  SleepScratch& sleeping = scratch.sleeping;
-  sleeping.liveliest_before.assign(bodies.size(), 0);
-  sleeping.liveliest.assign(bodies.size(), 0);
+  std::vector<double>&before = liveliest_before(scratch), &after = liveliest_after(scratch);
+  before.assign(bodies.size(), 0);
+  after.assign(bodies.size(), 0);
   for_moving(bodies, scratch, [&](BodyIndex i) {
     const BodyIndex island = islands.of(i);
-    shared::raise(sleeping.liveliest_before[island], sleeping.energy_before[i]);
-    shared::raise(sleeping.liveliest[island], energy_per_mass(bodies, i));
+    shared::raise(before[island], scratch.sleeping.energy_before[i]);
+    shared::raise(after[island], energy_per_mass(bodies, i));
   });
 }
 
 // Whether a force moves an island. A body alone that loses speed must come to rest first, since what brakes it may turn
 // it back; a heap or a tower sways for seconds, so it may sleep where its sway goes down.
-bool is_pushed(const SleepScratch& sleeping, BodyIndex island, double gain) {
-  const double gained = speed_of(sleeping.liveliest[island]) - speed_of(sleeping.liveliest_before[island]);
-  return (sleeping.together[island] != 0 ? gained : std::fabs(gained)) > gain;
+bool is_pushed(Scratch& scratch, BodyIndex island, double gain) {
+  const double gained = speed_of(liveliest_after(scratch)[island]) - speed_of(liveliest_before(scratch)[island]);
+  return (scratch.sleeping.together[island] != 0 ? gained : std::fabs(gained)) > gain;
 }
 
 // Puts the islands to sleep that are held and of which every body has been slow for long enough.
@@ -136,7 +138,7 @@ void freeze_islands(WorldState& state, Scratch& scratch, double dt_s) {
   find_liveliest(bodies, scratch, islands);
   const double gain = kSpeedingUp * length(state.def.gravity) * dt_s;
   for_moving(bodies, scratch, [&](BodyIndex i) {
-    if (is_pushed(scratch.sleeping, islands.of(i), gain)) mark(restless[islands.of(i)]);
+    if (is_pushed(scratch, islands.of(i), gain)) mark(restless[islands.of(i)]);
   });
   for_moving(bodies, scratch, [&](BodyIndex i) {
     const BodyIndex island = islands.of(i);

@@ -57,7 +57,7 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
           all.batches.size(),
           all.points.data(),
           reinterpret_cast<double*>(scratch.solver_bodies.data()),
-          reinterpret_cast<double*>(all.outcomes.data()),
+          reinterpret_cast<double*>(scratch.outcomes.data()),
           all.entries.data(),
           substep_s,
           kPushPart,

@@ -22,7 +22,7 @@ void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s
 void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
   FastContacts& fast = scratch.fast;
   if (fast.none()) return;
-  merge_contacts(memory, fast.memory, scratch.workers, fast.merged);
+  merge_contacts(memory, fast.memory);
   const std::size_t manifolds = scratch.manifolds.size(), layered = scratch.layered.size();
   const auto points = static_cast<std::uint32_t>(scratch.manifold_points.size());
   scratch.manifolds.resize(manifolds + fast.found.manifolds.size());

@@ -20,24 +20,23 @@ namespace {
 
 constexpr double kPart = 1.0 / 3;  // of an overlap, removed in a step
 
-// The overlaps are solved in the columns of the step's own impulses and motions, which wait meanwhile: motions in
-// OverlapScratch, impulses as begin_parting says.
+// The overlaps are solved in the columns of the step's own impulses and motions, which wait meanwhile: motions in those
+// of the parting speeds, impulses as begin_parting says.
 void exchange_motions(Scratch& scratch, bool before) {
-  OverlapScratch& own = scratch.overlaps;
+  Vec3Column &velocity = parting_velocity(scratch), &spin = parting_spin(scratch);
   std::vector<SolverBody>& bodies = scratch.solver_bodies;
+  const Vec3 none = Vec3::Zero();
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // What OverlapScratch holds before is rubbish of an earlier step, so zeros come in its place.
-      if (before) own.velocity[i] = own.spin[i] = Vec3::Zero();
-      std::swap(bodies[i].velocity, own.velocity[i]);
-      std::swap(bodies[i].spin, own.spin[i]);
+      velocity.set(i, std::exchange(bodies[i].velocity, before ? none : velocity[i]));
+      spin.set(i, std::exchange(bodies[i].spin, before ? none : spin[i]));
     }
   });
 }
 
 void begin(Scratch& scratch, const ContactWork& work) {
-  scratch.overlaps.velocity.resize(scratch.solver_bodies.size());
-  scratch.overlaps.spin.resize(scratch.solver_bodies.size());
+  parting_velocity(scratch).resize(scratch.solver_bodies.size());
+  parting_spin(scratch).resize(scratch.solver_bodies.size());
   for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.begin_parting(part_of(work, begin, end));
   });
@@ -83,29 +82,31 @@ void pay(const WorldState& state, SolverBody& body, BodyIndex i, const Vec3& pat
   body.spin = VelocityGrid::round_any(Vec3(body.spin * part));
 }
 
-void move(WorldState& state, SolverBody& body, BodyIndex i, const OverlapScratch& parting, double dt_s) {
+void move(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
   Bodies& bodies = state.bodies;
-  if (parting.velocity[i] != Vec3::Zero()) {
-    const Vec3 path = PositionGrid::round_any(Vec3(parting.velocity[i] * dt_s));
+  SolverBody& body = scratch.solver_bodies[i];
+  const Vec3 velocity = parting_velocity(scratch)[i], spin = parting_spin(scratch)[i];
+  if (velocity != Vec3::Zero()) {
+    const Vec3 path = PositionGrid::round_any(Vec3(velocity * dt_s));
     bodies.position.set(i, plus_zero(bodies.position[i] + path));
     pay(state, body, i, path);
   }
-  if (parting.spin[i] != Vec3::Zero()) {
-    bodies.orientation.set(i, turned(bodies.orientation[i], parting.spin[i] * (0.5 * dt_s)));
+  if (spin != Vec3::Zero()) {
+    bodies.orientation.set(i, turned(bodies.orientation[i], spin * (0.5 * dt_s)));
   }
 }
 
 // Adds the bodies that part: their rows, where they part to, and what that takes from their motion.
 void add_parting(const WorldState& state, const Scratch& scratch, std::size_t begin, std::size_t end,
                  GatheredNumbers& numbers) {
-  const OverlapScratch& parting = scratch.overlaps;
   for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-    if (parting.velocity[i] == Vec3::Zero() && parting.spin[i] == Vec3::Zero()) continue;
+    const Vec3 velocity = parting_velocity(scratch)[i], spin = parting_spin(scratch)[i];
+    if (velocity == Vec3::Zero() && spin == Vec3::Zero()) continue;
     *numbers.next(1) = static_cast<double>(i);
     numbers.add(state.bodies.position[i]);
     numbers.add(state.bodies.orientation[i]);
     const SolverBody& body = scratch.solver_bodies[i];
-    for (const Vec3* const v : {&parting.velocity[i], &parting.spin[i], &body.velocity, &body.spin}) numbers.add(*v);
+    for (const Vec3* const v : {&velocity, &spin, &body.velocity, &body.spin}) numbers.add(*v);
   }
 }
 
@@ -113,17 +114,19 @@ void add_parting(const WorldState& state, const Scratch& scratch, std::size_t be
 
 Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   Hasher* const hasher = take_hasher(scratch);
-  OverlapScratch& own = scratch.overlaps;
   const double deepest = find_overlaps(scratch, all_contacts(scratch, dt_s));
-  own.any = deepest > 0;
+  scratch.overlaps_part = deepest > 0;
   // So that the first overlap of a warm world allocates nothing.
-  own.velocity.reserve(scratch.solver_bodies.capacity());
-  own.spin.reserve(scratch.solver_bodies.capacity());
-  if (!own.any) return {};
+  for (Vec3Column* const column : {&parting_velocity(scratch), &parting_spin(scratch)}) {
+    for (std::vector<double>* const of : {&column->x, &column->y, &column->z}) {
+      of->reserve(scratch.solver_bodies.capacity());
+    }
+  }
+  if (!scratch.overlaps_part) return {};
   solve(state, scratch, all_contacts(scratch, dt_s), deepest, hasher);
   const auto move_bodies = [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-      move(state, scratch.solver_bodies[i], i, own, dt_s);
+      move(state, scratch, i, dt_s);
     }
   };
   GatheredNumbers numbers(hasher);
@@ -133,7 +136,7 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
 }
 
 void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
-  if (!scratch.overlaps.any) return;
+  if (!scratch.overlaps_part) return;
   GatheredNumbers numbers(&hasher);
   add_separations(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), false, numbers);
   add_parting(state, scratch, 0, state.bodies.size(), numbers);
