@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 // A round begins with two scenes a batch, and grows while it is short: what a hunt that is killed loses is bounded in
 // time.
 constexpr std::uint64_t kScenesABatchMost = 10;
-constexpr std::uint64_t kBatchesARound = 8;
+constexpr std::uint64_t kBatchesAJob = 4;           // of a round, which lasts as long as its longest one
 constexpr double kRoundShort = 2, kRoundLong = 20;  // s
 // s of processor time: many times what ten scenes, one scene and the shrinking of one take in a slow build. On a busy
 // machine they may take kStretch times as long.
@@ -58,7 +58,8 @@ class Hunt {
     if (Status ok = save(); !ok.ok()) return ok.error();
     while (!over()) {
       const auto begin = Clock::now();
-      const std::uint64_t most = a_batch_ * kBatchesARound, left = last() ? *last() - state_.next : most;
+      const std::uint64_t most = a_batch_ * kBatchesAJob * options_.pool.jobs;
+      const std::uint64_t left = last() ? *last() - state_.next : most;
       if (Status ok = round(std::min(left, most)); !ok.ok()) return ok.error();
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
       if (seconds < kRoundShort) a_batch_ = std::min(2 * a_batch_, kScenesABatchMost);

@@ -110,6 +110,21 @@ TEST(HuntLaws, ApplyToTheSceneThatIsMadeForThem) {
   }
 }
 
+// About its middle axis a box turns on the edge between two motions, where no error has a bound.
+TEST(HuntLaws, JudgeNoTurnAboutTheMiddleAxis) {
+  const char* const middle = R"(
+[world]
+steps = 30
+[[box]]
+size = [1.0, 0.5, 2.0]
+position = [0.0, 0.0, 50.0]
+spin = [2.0, 0.0, 0.0]
+)";
+  const Trace flight = traced(middle);
+  EXPECT_EQ(judge("halved", flight).outcome, Outcome::kHeld) << judge("halved", flight).what;
+  expect_broken("halved", tampered(middle, 10, [](sim::Bodies& b) { b.position.y[0] += 1e-6; }), 30);
+}
+
 TEST(HuntLaws, SayWhyTheyDoNotApply) {
   for (const auto& [name, text] :
        {std::pair("slope", kTower), {"bounce", kCrate}, {"standing", kDrop}, {"halved", kTower}}) {

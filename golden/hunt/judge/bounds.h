@@ -43,5 +43,6 @@ inline constexpr double kStandDrift = 1e-3;            ///< m
 inline constexpr double kUnitOfFloats = 1e-5;          ///< by which the square of a quaternion of floats may be off 1
 inline constexpr double kRoundingOfFloats = 4e-6;      ///< relative: some tens of roundings in a step
 inline constexpr double kTurnPart = 1e-3;              ///< of the angle turned
+inline constexpr double kTurnBoundMost = 1;            ///< rad; a bound beyond says nothing
 
 }  // namespace tumble::hunt

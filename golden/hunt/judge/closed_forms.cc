@@ -261,8 +261,9 @@ Judgement judge_halved(const Trace& trace) {
               "a flight ends elsewhere with half of dt (m)");
     const sim::Quat p = one.orientation[i], q = two.orientation[i];
     const double cosine = std::fabs(p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z);
-    worst.add(trace.steps.size(), one.id[i], 2 * std::sqrt(std::max(0.0, 2 * (1 - cosine))),
-              kTurnPart * most * time * growth_of_turn(one, i) + 1e-7,
+    const double bound = kTurnPart * most * time * growth_of_turn(one, i) + 1e-7;
+    if (!(bound < kTurnBoundMost)) continue;  // a turn that no error bounds
+    worst.add(trace.steps.size(), one.id[i], 2 * std::sqrt(std::max(0.0, 2 * (1 - cosine))), bound,
               "a flight ends turned otherwise with half of dt (rad)");
   }
   return worst.judgement();
