@@ -25,6 +25,7 @@ class TimedParts : public Workers {
 
   [[nodiscard]] unsigned count() const override { return count_; }
   [[nodiscard]] std::size_t worth(std::size_t least) const override;
+  [[nodiscard]] bool take_turns() const override { return true; }
   void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) override;
   bool meet(unsigned part, bool any) override;
   void post(unsigned part, std::uint32_t number) override;

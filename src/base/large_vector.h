@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 namespace tumble {
@@ -28,12 +30,29 @@ struct LargeAllocator {
     return static_cast<T*>(allocate_large(n * sizeof(T), alignof(T)));
   }
   void deallocate(T* memory, std::size_t n) noexcept { free_large(memory, n * sizeof(T), alignof(T)); }
+  /// What a resize adds is left as the memory has it: else one worker would fill what all are about to write.
+  template <class Item>
+  void construct(Item* /*item*/) noexcept {
+    static_assert(std::is_trivially_destructible_v<Item>, "is written without having been made");
+  }
 
   friend bool operator==(const LargeAllocator& /*a*/, const LargeAllocator& /*b*/) { return true; }
 };
 
-/// A vector for what grows with the number of bodies or contacts and is walked through often.
+/// A vector for what grows with the number of bodies or contacts and is walked through often. Whoever resizes it writes
+/// the new items before anything reads them; emplace_back() wants a value.
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
+
+/// Gives a vector n items that will all be written: where it grows, it copies nothing, and gives its memory back first.
+template <class T>
+void resize_anew(LargeVector<T>& items, std::size_t n) {
+  if (n > items.capacity()) {
+    const std::size_t room = std::max(n, items.capacity() + items.capacity() / 2);
+    items = LargeVector<T>();
+    items.reserve(room);
+  }
+  items.resize(n);
+}
 
 }  // namespace tumble

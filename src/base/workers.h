@@ -21,6 +21,9 @@ class Workers {
   /// The number of items a part must have for a split to pay; `least` is the number that a phase has measured.
   [[nodiscard]] virtual std::size_t worth(std::size_t least) const { return least; }
 
+  /// Whether parts take turns instead of running at the same time, to be timed: then none takes over another's work.
+  [[nodiscard]] virtual bool take_turns() const { return false; }
+
   /// Calls task(context, part) for every part < parts at the same time and returns when all calls have returned.
   /// Precondition: parts <= count(). Tasks do not throw.
   virtual void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) = 0;

@@ -80,8 +80,9 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   const IslandScratch& i = s.islands;
   const WeightScratch& w = s.weights;
   const SweepShares& shares = s.shares;
-  parts.push_back({"manifolds", GrowsWith::kContacts,
-                   held_by(s.manifolds, s.manifold_points, s.work) + held_inside(s.manifolds_by)});
+  parts.push_back(
+      {"manifolds", GrowsWith::kContacts,
+       held_by(s.manifolds, s.manifold_points, s.manifold_pieces, s.blocks_left) + held_inside(s.manifolds_by)});
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});

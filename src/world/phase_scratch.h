@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/base/large_vector.h"
 #include "src/kernels/contacts/contact_batch.h"
 #include "tumble/sim/ids.h"
 #include "tumble/sim/manifold.h"
@@ -20,6 +21,45 @@ namespace tumble::sim {
 struct VelocityRange {
   Vec3 low = Vec3::Zero(), opposite_high = Vec3::Zero();  ///< no more than 0; minus the highest
 };
+
+/// A pair of bodies (lower row, higher row), or a body and kGround.
+using ContactPair = std::pair<BodyIndex, BodyIndex>;
+
+/// Manifolds and their points, as one worker finds them.
+struct ManifoldList {
+  LargeVector<Manifold> manifolds;
+  LargeVector<ManifoldPoint> points;
+  std::vector<ContactPair> fast_pairs;  ///< ascending; see FastContacts
+
+  /// Keeps the memory.
+  void clear() {
+    manifolds.clear();
+    points.clear();
+    fast_pairs.clear();
+  }
+};
+
+/// A place in a contact memory: a contact, and its first point.
+struct MemoryPlace {
+  std::size_t contact = 0, point = 0;
+};
+
+/// Manifolds that belong together, in the list of the worker who has found them.
+struct ManifoldPiece {
+  struct Sizes {
+    std::size_t manifolds = 0, points = 0, fast_pairs = 0;
+  };
+  MemoryPlace memory;  ///< where the impulses of its bodies begin
+  unsigned worker = 0;
+  Sizes begin, end;  ///< of the list, before and after
+};
+
+inline std::span<ManifoldPoint> points_of(ManifoldList& list, const Manifold& m) {
+  return std::span(list.points).subspan(m.first, m.count);
+}
+inline std::span<const ManifoldPoint> points_of(const ManifoldList& list, const Manifold& m) {
+  return std::span(list.points).subspan(m.first, m.count);
+}
 
 /// What one contact asks of a body: to move out of the other body.
 struct Displacement {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/base/large_vector.h"
+#include "src/base/shared_blocks.h"
 #include "src/kernels/box_frame.h"
 #include "src/kernels/contacts/contact_batch.h"
 #include "src/kernels/lane_width.h"
@@ -119,17 +120,6 @@ struct ContactGraph {
   std::vector<std::uint32_t> ends;   ///< body by body, ascending: 2 · manifold + (1 where the body is b)
 };
 
-/// A pair of bodies (lower row, higher row), or a body and kGround.
-using ContactPair = std::pair<BodyIndex, BodyIndex>;
-
-/// Manifolds and their points, as one worker finds them.
-struct ManifoldList {
-  LargeVector<Manifold> manifolds;
-  LargeVector<ManifoldPoint> points;
-  std::vector<ContactPair> fast_pairs;                  ///< ascending; see FastContacts
-  std::size_t manifolds_before = 0, points_before = 0;  ///< counts of the workers before
-};
-
 /// Values of in_contact. kFree: a body that does not move, or that flies; kInContact: one that the solver moves;
 /// kBeyond: one that the solver has moved out of the grids, an error; kInFastPair: one with no contact but those of
 /// fast pairs.
@@ -228,8 +218,9 @@ struct Scratch {
   std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds
   LargeVector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   LargeVector<ManifoldPoint> manifold_points;
-  std::vector<ManifoldList> manifolds_by;  ///< by worker
-  std::vector<std::uint64_t> work;         ///< by block of bodies, while find_manifolds cuts its parts
+  std::vector<ManifoldList> manifolds_by;        ///< by worker, one or more
+  std::vector<ManifoldPiece> manifold_pieces;    ///< in order of bodies, while several workers find manifolds
+  std::vector<SharedBlocks::Range> blocks_left;  ///< of these pieces
   FastContacts fast;
   bool found_again = false;                ///< whether wake_islands found the manifolds again
   ContactGraph graph;                      ///< written by assign_levels
@@ -277,12 +268,6 @@ inline const Vec3Column& parting_spin(const Scratch& scratch) { return scratch.a
 /// The points of a manifold.
 inline std::span<ManifoldPoint> points_of(Scratch& scratch, const Manifold& m) {
   return std::span(scratch.manifold_points).subspan(m.first, m.count);
-}
-inline std::span<ManifoldPoint> points_of(ManifoldList& list, const Manifold& m) {
-  return std::span(list.points).subspan(m.first, m.count);
-}
-inline std::span<const ManifoldPoint> points_of(const ManifoldList& list, const Manifold& m) {
-  return std::span(list.points).subspan(m.first, m.count);
 }
 inline std::span<const ManifoldPoint> points_of(const Scratch& scratch, const Manifold& m) {
   return std::span(scratch.manifold_points).subspan(m.first, m.count);

@@ -70,7 +70,7 @@ struct RandomContacts {
   }
 
   void add_batch(std::uint32_t used, std::size_t ground) {
-    ContactBatch& batch = batches.emplace_back();
+    ContactBatch& batch = batches.emplace_back(ContactBatch{});
     BatchSides& of = sides.emplace_back();
     std::fill_n(of.a, kLanes, static_cast<std::uint32_t>(ground));
     std::fill_n(of.b, kLanes, static_cast<std::uint32_t>(ground));
@@ -79,7 +79,7 @@ struct RandomContacts {
     batch.first = static_cast<std::uint32_t>(points.size());
     batch.count = 1 + used % 5;
     batch.bounces = true;
-    points.resize(points.size() + batch.count);
+    points.resize(points.size() + batch.count, PointBatch{});
     for (unsigned lane = 0; lane < used; ++lane) fill_lane(batch, lane, static_cast<std::uint32_t>(ground));
   }
 

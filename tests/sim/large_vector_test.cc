@@ -43,6 +43,24 @@ TEST(LargeVector, KeepsItsValuesWhileItGrows) {
   EXPECT_EQ(copy, items);
 }
 
+// One worker would write them all, and each of the others its own part once more.
+TEST(LargeVector, AResizeWritesNoItem) {
+  LargeVector<std::uint64_t> items(3, 7);
+  items.clear();
+  items.resize(3);
+  EXPECT_EQ(items[2], 7U);
+}
+
+TEST(LargeVector, ResizedAnewHasRoomForSomeMore) {
+  LargeVector<std::uint64_t> items;
+  for (const std::size_t size : {0U, 1U, 100U, 101U, 50U, 1U << 20U}) {
+    resize_anew(items, size);
+    EXPECT_EQ(items.size(), size);
+  }
+  resize_anew(items, items.size() + 1);
+  EXPECT_GE(items.capacity(), 3 * items.size() / 2 - 2);
+}
+
 TEST(LargeVector, RefusesMoreThanAnAddressCanCount) {
   EXPECT_THROW(LargeAllocator<Row>().allocate(SIZE_MAX / sizeof(Row)), std::bad_array_new_length);
 }

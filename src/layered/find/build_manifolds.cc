@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/layered/find/contact_axes.h"
+#include "src/layered/find/contact_memory.h"
 #include "src/layered/find/contact_recall.h"
 #include "src/layered/find/fast_pairs.h"
 #include "src/layered/find/find_near_pairs.h"
@@ -20,9 +21,9 @@ namespace {
 // Builds the manifolds of one pair after the other.
 class Builder {
  public:
-  // memory: the impulses to recall, from those of row `first` on.
-  Builder(const WorldState& state, const Scratch& scratch, double dt_s, const ContactMemory& memory, BodyIndex first,
-          ManifoldList& out)
+  // memory: the impulses to recall, from that place on.
+  Builder(const WorldState& state, const Scratch& scratch, double dt_s, const ContactMemory& memory,
+          const MemoryPlace& from, ManifoldList& out)
       : state_(state),
         bodies_(state.bodies),
         scratch_(scratch),
@@ -34,11 +35,7 @@ class Builder {
         pushing_s_(dt_s + substep_),
         paths_(state, scratch, dt_s),
         ahead_(state, scratch, pushing_s_),
-        recall_(memory, first) {
-    out_.manifolds.clear();
-    out_.points.clear();
-    out_.fast_pairs.clear();
-  }
+        recall_(memory, from) {}
 
   // Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground, and lists
   // fast pairs instead.
@@ -287,14 +284,16 @@ class Builder {
 
 }  // namespace
 
-void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
+void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, const BodyRange& of,
                      ManifoldList& out, Hasher* hasher) {
-  Builder(state, scratch, dt_s, state.contact_memory, first, out).build(first, end, hasher);
+  Builder(state, scratch, dt_s, state.contact_memory, of.memory, out).build(of.first, of.end, hasher);
 }
 
 void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, const FastRange& of,
                           ManifoldList& out) {
-  Builder(state, scratch, substep_s, of.memory, of.pairs.front().first, out).build_fast(of.pairs, of.approaches);
+  out.clear();
+  Builder(state, scratch, substep_s, of.memory, memory_place(of.memory, of.pairs.front().first), out)
+      .build_fast(of.pairs, of.approaches);
 }
 
 }  // namespace tumble::sim

@@ -17,10 +17,16 @@ inline std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
   return static_cast<std::size_t>(std::ranges::lower_bound(pairs.a, i) - pairs.a.begin());
 }
 
-/// Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground, and lists fast
-/// pairs (FastContacts). Stops early beyond manifolds_max. Adds manifolds and points to the hasher as hash_manifolds
-/// would; null: does not.
-void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
+/// Bodies that follow one another, and where their impulses begin in the state's memory.
+struct BodyRange {
+  BodyIndex first = 0, end = 0;
+  MemoryPlace memory;
+};
+
+/// Appends the manifolds of some bodies, each with bodies of higher rows and with the ground, and lists fast pairs
+/// (FastContacts). Stops early where `out` has more than manifolds_max. Adds manifolds and points to the hasher as
+/// hash_manifolds would, which wants an empty `out`; null: does not.
+void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, const BodyRange& of,
                      ManifoldList& out, Hasher* hasher);
 
 /// Some fast pairs, one or more, ascending.
@@ -30,7 +36,8 @@ struct FastRange {
   const ContactMemory& memory;           ///< of the last substep, or of the last step
 };
 
-/// Builds the manifolds of fast pairs, from velocities and frames as they are. A pair that passes has no manifold.
+/// Makes the list that of the manifolds of fast pairs, from velocities and frames as they are. A pair that passes has
+/// no manifold.
 void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, const FastRange& of,
                           ManifoldList& out);
 

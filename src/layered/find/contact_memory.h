@@ -22,6 +22,12 @@ std::size_t contacts_before(const ContactMemory& memory, const ContactPair& pair
 /// The number of points of the contacts before contact k.
 std::size_t points_before(const ContactMemory& memory, std::size_t k);
 
+/// The place of the first contact whose pair has the lower row `first` or a higher one.
+inline MemoryPlace memory_place(const ContactMemory& memory, BodyIndex first) {
+  const std::size_t contact = contacts_before(memory, {first, 0});
+  return {contact, points_before(memory, contact)};
+}
+
 /// Writes the impulses of manifolds, ascending by pair, to the memory, for the warm start of the next step or substep.
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
                        ContactMemory& memory);

@@ -25,9 +25,6 @@ void take_impulses(std::span<ManifoldPoint> points, const ContactMemory& memory,
 
 }  // namespace
 
-ContactRecall::ContactRecall(const ContactMemory& memory, BodyIndex first)
-    : memory_(memory), cursor_(contacts_before(memory, {first, 0})), point_(points_before(memory, cursor_)) {}
-
 // The entries of a pair: several where reference bodies or faces tie.
 std::pair<std::size_t, std::size_t> ContactRecall::entries(BodyIndex lo, BodyIndex hi) {
   const ContactPair wanted(lo, hi);
@@ -59,7 +56,7 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
   const auto [begin, end] = entries(lo, hi);
   std::size_t point = point_;
   for (std::size_t k = begin; k < end; ++k) {
-    Manifold& m = to.manifolds.emplace_back();
+    Manifold& m = to.manifolds.emplace_back(Manifold{});
     m.a = memory_.a[k];
     m.b = memory_.b[k];
     m.asleep = true;
@@ -68,7 +65,7 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
     m.d = memory_.friction[k];  // until the memory is written again
     m.twist = memory_.twist[k];
     for (std::uint32_t i = 0; i < m.count; ++i, ++point) {
-      ManifoldPoint& p = to.points.emplace_back();
+      ManifoldPoint& p = to.points.emplace_back(ManifoldPoint{});
       p.feature = memory_.feature[point];
       p.impulse = memory_.impulse[point];
     }

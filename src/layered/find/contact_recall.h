@@ -12,8 +12,9 @@ namespace tumble::sim {
 /// and must not change.
 class ContactRecall {
  public:
-  /// Starts at the pairs whose lower row is `first` or higher.
-  ContactRecall(const ContactMemory& memory, BodyIndex first);
+  /// Starts at the pairs whose lower row is that of this place or higher (memory_place).
+  ContactRecall(const ContactMemory& memory, const MemoryPlace& from)
+      : memory_(memory), cursor_(from.contact), point_(from.point) {}
 
   /// Gives a new manifold the remembered impulses of points with equal features, and the remembered friction.
   void warm_start(Manifold& manifold, std::span<ManifoldPoint> points);

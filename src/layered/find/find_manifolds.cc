@@ -4,6 +4,7 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/layered/find/build_manifolds.h"
@@ -17,61 +18,75 @@ namespace {
 
 constexpr std::size_t kWorthPairs = 1024;  // and bodies, that pay for one more worker
 
-constexpr std::size_t kBlocksAPart = 32;    // of bodies: parts consist of whole blocks
-constexpr std::uint64_t kContactWork = 12;  // of a contact that is built or followed; of a body or a pair 1
+constexpr std::size_t kBlocksAPart = 16;  // of bodies
 
 // The range of bodies of a block.
 Worker::Share block(std::size_t bodies, std::size_t k, std::size_t blocks) {
   return {bodies * k / blocks, bodies * (k + 1) / blocks};
 }
 
-// About what it takes to build the manifolds of some bodies: they mostly have as many contacts as in the last step.
-// Contacts may lie side by side, beside bodies that sleep or fall, so to count bodies and pairs does not do.
-std::uint64_t work_of(const WorldState& state, std::span<const ContactPair> fast, const Worker::Share& of) {
-  const Bodies& bodies = state.bodies;
+// Finds where the impulses of each block begin. What one of the workers does.
+void find_places(const WorldState& state, std::span<ManifoldPiece> pieces, const Worker& worker) {
   const ContactMemory& memory = state.contact_memory;
-  const auto first = static_cast<BodyIndex>(of.begin), end = static_cast<BodyIndex>(of.end);
-  std::uint64_t contacts = 0;
-  const std::size_t past = contacts_before(memory, {end, 0});
-  for (std::size_t k = contacts_before(memory, {first, 0}); k < past; ++k) {
-    const bool moves = (memory.a[k] != kGround && bodies.moves(memory.a[k])) || bodies.moves(memory.b[k]);
-    contacts += moves ? 1U : 0U;
+  const Worker::Share own = worker.share(pieces.size());
+  const auto contact = [&](std::size_t k) {
+    const auto first = static_cast<BodyIndex>(block(state.bodies.size(), k, pieces.size()).begin);
+    return contacts_before(memory, {first, 0});
+  };
+  std::size_t begin = contact(own.begin);
+  for (std::size_t k = own.begin; k < own.end; ++k) {
+    const std::size_t end = k + 1 == pieces.size() ? memory.size() : contact(k + 1);
+    const auto counts = memory.count.begin();
+    pieces[k].memory = {begin, std::accumulate(counts + static_cast<std::ptrdiff_t>(begin),
+                                               counts + static_cast<std::ptrdiff_t>(end), std::size_t{0})};
+    begin = end;
   }
-  const auto fast_before = [&](BodyIndex i) { return std::ranges::lower_bound(fast, ContactPair(i, 0)); };
-  contacts += static_cast<std::uint64_t>(fast_before(end) - fast_before(first));
-  return (of.end - of.begin) + (pairs_before(state.pairs, end) - pairs_before(state.pairs, first)) +
-         kContactWork * contacts;
+  worker.meet();
+  if (worker.first()) {
+    std::size_t points = 0;
+    for (ManifoldPiece& piece : pieces) points += std::exchange(piece.memory.point, points);
+  }
+  worker.meet();
 }
 
-// The first body of a part, so that all parts have about as much work. work: by block.
-BodyIndex first_body(std::span<const std::uint64_t> work, std::size_t bodies, unsigned part, unsigned parts) {
-  const std::uint64_t wanted = std::accumulate(work.begin(), work.end(), std::uint64_t{0}) * part / parts;
-  std::size_t k = 0;
-  for (std::uint64_t before = 0; k < work.size() && before < wanted; ++k) before += work[k];
-  return static_cast<BodyIndex>(block(bodies, k, work.size()).begin);
+ManifoldPiece::Sizes sizes_of(const ManifoldList& list) {
+  return {list.manifolds.size(), list.points.size(), list.fast_pairs.size()};
 }
 
-// Calls visit(part, first, end) for the bodies [first, end) of each part, by several workers at a time.
-template <class Visit>
-void for_bodies(const WorldState& state, Scratch& scratch, unsigned parts, Visit visit) {
+// Several workers find the manifolds, each into a list of its own.
+void find_together(const WorldState& state, Scratch& scratch, double dt_s, unsigned parts) {
   const std::size_t n = state.bodies.size();
-  if (parts == 1) return visit(0U, BodyIndex{0}, static_cast<BodyIndex>(n));
-  std::vector<std::uint64_t>& work = scratch.work;
-  work.resize(kBlocksAPart * parts);
-  const std::vector<ContactPair>& fast = scratch.manifolds_by[0].fast_pairs;  // of the last step, until it is built
+  std::vector<ManifoldPiece>& pieces = scratch.manifold_pieces;
+  pieces.resize(kBlocksAPart * parts);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
-    const Worker::Share own = worker.share(work.size());
-    for (std::size_t k = own.begin; k < own.end; ++k) work[k] = work_of(state, fast, block(n, k, work.size()));
-    worker.meet();
-    visit(worker.part, first_body(work, n, worker.part, parts), first_body(work, n, worker.part + 1, parts));
+    ManifoldList& list = scratch.manifolds_by[worker.part];
+    list.clear();
+    find_places(state, pieces, worker);
+    SharedBlocks(scratch.blocks_left, pieces.size(), worker).take_all([&](std::size_t k) {
+      ManifoldPiece& piece = pieces[k];
+      const Worker::Share of = block(n, k, pieces.size());
+      piece.worker = worker.part;
+      piece.begin = sizes_of(list);
+      build_manifolds(state, scratch, dt_s,
+                      {static_cast<BodyIndex>(of.begin), static_cast<BodyIndex>(of.end), piece.memory}, list, nullptr);
+      piece.end = sizes_of(list);
+    });
   });
 }
 
-// Exchanges the lists of the scratch with those of the first worker, who then finds into the former without a copy.
+// Exchanges the lists of the scratch with those of the first worker: one who works alone finds into the former.
 void swap_first(Scratch& scratch) {
   std::swap(scratch.manifolds, scratch.manifolds_by[0].manifolds);
   std::swap(scratch.manifold_points, scratch.manifolds_by[0].points);
   std::swap(scratch.fast.pairs, scratch.manifolds_by[0].fast_pairs);
+}
+
+void find_alone(const WorldState& state, Scratch& scratch, double dt_s, Hasher* hasher) {
+  swap_first(scratch);
+  scratch.manifolds_by[0].clear();
+  build_manifolds(state, scratch, dt_s, {0, static_cast<BodyIndex>(state.bodies.size()), {}}, scratch.manifolds_by[0],
+                  hasher);
+  swap_first(scratch);
 }
 
 // Marks the bodies that a contact pressed at the end of the last step.
@@ -89,15 +104,22 @@ void mark_held(const ContactMemory& memory, Workers* workers, std::vector<std::u
   });
 }
 
-// Joins the lists of all workers in order of bodies; copies those of all but the first.
+// Joins what several workers have found, in order of bodies.
 void join(Scratch& scratch, unsigned parts) {
-  swap_first(scratch);
-  for (unsigned part = 1; part < parts; ++part) {
-    const std::vector<ContactPair>& found = scratch.manifolds_by[part].fast_pairs;
+  scratch.fast.pairs.clear();
+  for (const ManifoldPiece& piece : scratch.manifold_pieces) {
+    const auto found = std::span(scratch.manifolds_by[piece.worker].fast_pairs)
+                           .subspan(piece.begin.fast_pairs, piece.end.fast_pairs - piece.begin.fast_pairs);
     scratch.fast.pairs.insert(scratch.fast.pairs.end(), found.begin(), found.end());
   }
-  join_lists(std::span(scratch.manifolds_by).subspan(1, parts - 1), scratch.workers, scratch.manifolds,
-             scratch.manifold_points);
+  const std::span<ManifoldList> lists = std::span(scratch.manifolds_by).first(parts);
+  join_lists(scratch.manifold_pieces, lists, scratch.workers, scratch.manifolds, scratch.manifold_points);
+  // Nobody knows which worker finds how much in the next step. Memory that is not written takes none of the machine's.
+  for (ManifoldList& list : lists) {
+    resize_anew(list.manifolds, scratch.manifolds.size());
+    resize_anew(list.points, scratch.manifold_points.size());
+    list.fast_pairs.reserve(scratch.fast.pairs.size());
+  }
 }
 
 void add_fast_pairs(const Scratch& scratch, Hasher& hasher) {
@@ -111,22 +133,24 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   const std::size_t work = state.pairs.size() + state.bodies.size();
   const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
-  swap_first(scratch);
   // What sleeps, or wakes in this step, rests on something. Where it began the session asleep, no impulse tells so.
   scratch.held = state.bodies.frozen;
   for (const BodyIndex i : scratch.waking.woken) scratch.held[i] = 1;
   mark_held(state.contact_memory, scratch.workers, scratch.held);
-  for_bodies(state, scratch, parts, [&](unsigned part, BodyIndex first, BodyIndex end) {
-    build_manifolds(state, scratch, dt_s, first, end, scratch.manifolds_by[part], hasher);
-  });
   std::size_t found = 0;
-  for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();
+  if (parts == 1) {
+    find_alone(state, scratch, dt_s, hasher);
+    found = scratch.manifolds.size();
+  } else {
+    find_together(state, scratch, dt_s, parts);
+    for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();
+  }
   const std::size_t n = state.bodies.size(), most = manifolds_max(n);
   if (found > most) {
     return cannot_finish("found more than " + std::to_string(most) + " contacts of " + std::to_string(n) +
                          " bodies; so many stand inside one another: set them farther apart");
   }
-  join(scratch, parts);
+  if (parts > 1) join(scratch, parts);
   if (hasher != nullptr) add_fast_pairs(scratch, *hasher);
   return {};
 }

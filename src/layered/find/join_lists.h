@@ -2,13 +2,14 @@
 
 #include <span>
 
-#include "src/world/scratch.h"
+#include "src/world/phase_scratch.h"
+#include "tumble/sim/workers.h"
 
 namespace tumble::sim {
 
-/// Appends the manifolds and points that workers have found to those of the first worker, in the order of workers.
-/// found: of all other workers; their points count from 0.
-void join_lists(std::span<ManifoldList> found, Workers* workers, LargeVector<Manifold>& manifolds,
-                LargeVector<ManifoldPoint>& points);
+/// Copies the manifolds and points of pieces one behind the other, each by the worker who has found it: its processor
+/// holds the lines. lists: by worker.
+void join_lists(std::span<const ManifoldPiece> pieces, std::span<const ManifoldList> lists, Workers* workers,
+                LargeVector<Manifold>& manifolds, LargeVector<ManifoldPoint>& points);
 
 }  // namespace tumble::sim

@@ -79,7 +79,7 @@ class FacePair {
     for (std::size_t k = m_.first; k < earlier_; ++k) {
       if (points[k].feature == feature) return;  // shared by two tied incident faces
     }
-    ManifoldPoint& point = points.emplace_back();
+    ManifoldPoint& point = points.emplace_back(ManifoldPoint{});
     point.p = u - centre_u_;
     point.q = v - centre_v_;
     point.separation = w;
@@ -229,7 +229,7 @@ void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, doub
   m.first = static_cast<std::uint32_t>(points.size());
   m.count = 1;
   m.offset = dot(from_b, m.n);
-  ManifoldPoint& point = points.emplace_back();
+  ManifoldPoint& point = points.emplace_back(ManifoldPoint{});
   point.p = dot(from_b, m.t1);
   point.q = dot(from_b, m.t2);
   point.separation = separation;
@@ -250,7 +250,7 @@ void ground_manifold(const BoxFrame& frame, double reach, Manifold& m, LargeVect
     const Vec3 r = (x * sx + y * sy) + z * sz;
     const double height = frame.position.z() + r.z();
     if (height > reach) continue;
-    ManifoldPoint& point = points.emplace_back();
+    ManifoldPoint& point = points.emplace_back(ManifoldPoint{});
     point.p = r.x();
     point.q = r.y();
     point.separation = height;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/base/check.h"
+#include "src/base/key_counts.h"
 #include "src/layered/islands/awake_links.h"
 #include "src/layered/order/share_layer.h"
 #include "src/math/grid.h"
@@ -28,7 +29,7 @@ struct LayerList {
 };
 
 // Groups the manifolds of each layer into batches by their number of points: lanes of a batch take as long as the one
-// with the most points. Several workers group a range of layers each.
+// with the most points.
 class Grouping {
  public:
   Grouping(const LayerList& layers, std::span<const Manifold> manifolds, ContactBatches& all)
@@ -42,7 +43,7 @@ class Grouping {
     }
     all_.place.resize(manifolds.size());
     all_.order.resize(layers_.members.size());
-    all_.batches.resize(batches);
+    resize_anew(all_.batches, batches);
     all_.sides.resize(batches);
     all_.counts.resize(batches + 1);
   }
@@ -50,49 +51,68 @@ class Grouping {
   // Batches of the layer that has the most of them.
   [[nodiscard]] std::uint32_t widest() const { return widest_; }
 
-  void group_layer(std::uint32_t layer) {
-    const std::uint32_t begin = layers_.start[layer], end = layers_.start[layer + 1];
-    const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, manifolds_[k].count); };
-    const std::span<const std::uint32_t> members = layers_.members.subspan(begin, end - begin);
-    std::array<std::uint32_t, kManyPoints + 2> start{};
-    for (const std::uint32_t k : members) ++start[points_of_member(k) + 1];
-    for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
-    for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
-    std::uint32_t at = all_.layer_start[layer];
-    for (std::uint32_t k = begin; k < end; k += kLanes) place_batch(at++, k, std::min<std::uint32_t>(kLanes, end - k));
+  // What one of several workers does: orders the manifolds. memory: of KeyCounts.
+  void group(std::vector<std::uint32_t>& memory, const Worker& worker) {
+    KeyCounts counts(memory, std::size_t{layers_.count()} * kGroups, worker);
+    const Worker::Share own = worker.share(layers_.members.size());
+    for_members(own, [&](std::uint32_t group, std::uint32_t /*manifold*/) { counts.add(group); });
+    counts.find_places();
+    for_members(own, [&](std::uint32_t group, std::uint32_t manifold) { all_.order[counts.take(group)] = manifold; });
+    worker.meet();
+  }
+
+  // When all manifolds are grouped, for the batches of a share.
+  void place_batches(const Worker::Share& share) {
+    for_batches(share, [&](std::uint32_t k, std::uint32_t layer) {
+      ContactBatch& batch = all_.batches[k];
+      batch.members = layers_.start[layer] + (k - all_.layer_start[layer]) * kLanes;
+      batch.used = std::min<std::uint32_t>(kLanes, layers_.start[layer + 1] - batch.members);
+      batch.hard = batch.turns = layer >= layers_.hard_from ? kAllLanes : 0;
+      batch.bounce_min = layers_.bounce_min;
+      batch.count = 0;
+      for (unsigned lane = 0; lane < batch.used; ++lane) {
+        const std::uint32_t m = all_.order[batch.members + lane];
+        batch.count = std::max(batch.count, manifolds_[m].count);
+        all_.place[m] = k * kLanes + lane;
+      }
+      SIM_CHECK(batch.count <= kPointsMax, batch.count, kPointsMax);  // the kernels have room for so many
+      all_.counts[k] = batch.count;
+    });
   }
 
   // When all layers are grouped: gives each batch its points.
   void place_points() {
     std::uint32_t points = 0;
     for (std::uint32_t& count : all_.counts) points += std::exchange(count, points);
-    all_.points.resize(all_.counts.back());
-  }
-
-  // When points have places: all of a batch but the lanes.
-  void begin_batch(std::uint32_t k, std::uint32_t layer) {
-    ContactBatch& batch = all_.batches[k];
-    batch.members = layers_.start[layer] + (k - all_.layer_start[layer]) * kLanes;
-    batch.used = std::min<std::uint32_t>(kLanes, layers_.start[layer + 1] - batch.members);
-    batch.first = all_.counts[k];
-    batch.count = all_.counts[k + 1] - all_.counts[k];
-    batch.hard = batch.turns = layer >= layers_.hard_from ? kAllLanes : 0;
-    batch.bounce_min = layers_.bounce_min;
+    resize_anew(all_.points, all_.counts.back());
   }
 
  private:
   static constexpr std::uint8_t kAllLanes = (1U << kLanes) - 1;
-  static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
+  static constexpr std::uint32_t kGroups = 16;  // of a layer: manifolds with 15 points and more are one
 
-  void place_batch(std::uint32_t at, std::uint32_t members, std::uint32_t used) {
-    std::uint32_t count = 0;
-    for (unsigned lane = 0; lane < used; ++lane) {
-      const std::uint32_t k = all_.order[members + lane];
-      count = std::max(count, manifolds_[k].count);
-      all_.place[k] = at * kLanes + lane;
+  // Calls visit(group, manifold) for members of the layers.
+  template <class Visit>
+  void for_members(const Worker::Share& share, Visit visit) const {
+    std::uint32_t layer = layer_at(layers_.start, share.begin);
+    for (auto k = static_cast<std::uint32_t>(share.begin); k < share.end; ++k) {
+      while (k >= layers_.start[layer + 1]) ++layer;
+      const std::uint32_t m = layers_.members[k];
+      visit(layer * kGroups + std::min(kGroups - 1, manifolds_[m].count), m);
     }
-    SIM_CHECK(count <= kPointsMax, count, kPointsMax);  // the kernels have room for so many
-    all_.counts[at] = count;
+  }
+  // Calls visit(batch, layer).
+  template <class Visit>
+  void for_batches(const Worker::Share& share, Visit visit) const {
+    std::uint32_t layer = layer_at(all_.layer_start, share.begin);
+    for (auto k = static_cast<std::uint32_t>(share.begin); k < share.end; ++k) {
+      while (k >= all_.layer_start[layer + 1]) ++layer;
+      visit(k, layer);
+    }
+  }
+  // start: by layer. The last layer that begins at an item or before it.
+  static std::uint32_t layer_at(std::span<const std::uint32_t> start, std::size_t item) {
+    return static_cast<std::uint32_t>(std::upper_bound(start.begin(), start.end(), item) - start.begin()) - 1;
   }
 
   const LayerList& layers_;
@@ -225,22 +245,20 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
   all.touched_end.resize(layers.count());
   if (all.uses.size() < parts) all.uses.resize(parts);
   work_together(workers, parts, [&](const Worker& worker) {
-    const Worker::Share own = worker.share_groups(all.layer_start);
-    for (auto layer = static_cast<std::uint32_t>(own.begin); layer < own.end; ++layer) grouping.group_layer(layer);
+    const Worker::Share batches = worker.share(all.batches.size());
+    grouping.group(scratch.sweep.next, worker);
+    grouping.place_batches(batches);
     worker.meet();
     if (worker.first()) grouping.place_points();
     worker.meet();
-    const Worker::Share batches = worker.share(all.batches.size());
     Filling filling(state, scratch, layers, manifolds, points, all);
-    const auto after = std::upper_bound(all.layer_start.begin(), all.layer_start.end(), batches.begin);
-    auto layer = static_cast<std::uint32_t>(after - all.layer_start.begin()) - 1;
-    for (auto k = static_cast<std::uint32_t>(batches.begin); k < batches.end; ++k) {
-      while (k >= all.layer_start[layer + 1]) ++layer;
-      grouping.begin_batch(k, layer);
+    for (std::size_t k = batches.begin; k < batches.end; ++k) {
+      all.batches[k].first = all.counts[k];
       filling.fill(all.batches[k], all.sides[k]);
     }
     worker.meet();
     all.uses[worker.part].resize(state.bodies.size());
+    const Worker::Share own = worker.share_groups(all.layer_start);
     for (auto k = static_cast<std::uint32_t>(own.begin); k < own.end; ++k) {
       share_layer(state.bodies, k, layers.start[k], all.uses[worker.part], all);
     }

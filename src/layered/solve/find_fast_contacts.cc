@@ -134,16 +134,22 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
   const std::size_t n = fast.pairs.size();
   const unsigned parts = part_count(scratch.workers, n, kFastAPart);
   std::vector<ManifoldList>& lists = scratch.manifolds_by;  // find_manifolds is done with them
+  std::vector<ManifoldPiece>& pieces = scratch.manifold_pieces;
   if (lists.size() < parts) lists.resize(parts);
+  pieces.assign(parts, {});
   const ContactMemory& memory = fast.remembers ? fast.memory : state.contact_memory;
   for_parts(scratch.workers, parts, [&](unsigned part) {
     const std::size_t begin = n * part / parts, count = n * (part + 1) / parts - begin;
+    ManifoldList& list = parts == 1 ? fast.found : lists[part];
     build_fast_manifolds(
         state, scratch, substep_s,
-        {std::span(fast.pairs).subspan(begin, count), std::span(fast.approaches).subspan(begin, count), memory},
-        part == 0 ? fast.found : lists[part]);
+        {std::span(fast.pairs).subspan(begin, count), std::span(fast.approaches).subspan(begin, count), memory}, list);
+    pieces[part].worker = part;
+    pieces[part].end = {list.manifolds.size(), list.points.size(), 0};
   });
-  join_lists(std::span(lists).subspan(1, parts - 1), scratch.workers, fast.found.manifolds, fast.found.points);
+  if (parts > 1) {
+    join_lists(pieces, std::span(lists).first(parts), scratch.workers, fast.found.manifolds, fast.found.points);
+  }
 }
 
 void separate_bounces(ContactBatches& all, std::size_t begin, std::size_t end, double substep_s) {
