@@ -82,7 +82,7 @@ void pay(const WorldState& state, SolverBody& body, BodyIndex i, const Vec3& pat
   body.spin = VelocityGrid::round_any(Vec3(body.spin * part));
 }
 
-void move(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
+void move_apart(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
   Bodies& bodies = state.bodies;
   SolverBody& body = scratch.solver_bodies[i];
   const Vec3 velocity = parting_velocity(scratch)[i], spin = parting_spin(scratch)[i];
@@ -126,7 +126,7 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   solve(state, scratch, all_contacts(scratch, dt_s), deepest, hasher);
   const auto move_bodies = [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-      move(state, scratch, i, dt_s);
+      move_apart(state, scratch, i, dt_s);
     }
   };
   GatheredNumbers numbers(hasher);
