@@ -46,13 +46,6 @@ Status outcome(const Result<process::ChildEnd>& end, bool shell, const std::stri
 
 }  // namespace
 
-std::string shell_quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-./+=:,@") == std::string::npos;
-  return plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
-}
-
 std::string end_of_output(const fs::path& file) {
   const Result<std::string> text = read_text(file);
   if (!text.ok() || text->empty()) return "";

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "golden/engine/project.h"
+#include "src/base/shell_word.h"
 #include "src/process/run_child.h"
 #include "tumble/sim/result.h"
 
 /// The engine of a project, built and run as a child process.
 namespace tumble::golden {
 
-/// In single quotes where the shell needs them.
-std::string shell_quoted(const std::string& word);
+using tumble::shell_quoted;
 
 /// The files of one run, put in the place of {scene}, {inputs} and {log}. Paths are absolute; empty: there is none.
 struct RunFiles {

@@ -1,5 +1,6 @@
 #include "replay/import/camera_change.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -34,18 +35,20 @@ std::vector<double> numbers_of(const std::string& text) {
   std::vector<double> numbers;
   const char* at = text.data();
   const char* end = at + text.size();
-  while (at != end) {
-    if (*at == ' ' || *at == ',') {
-      ++at;
-      continue;
-    }
+  const auto skip_spaces = [&] { at = std::find_if(at, end, [](char c) { return c != ' '; }); };
+  for (bool wants_more = false;;) {
+    skip_spaces();
+    if (at == end) return wants_more ? std::vector<double>() : numbers;
     double value = 0;
     const auto [stop, error] = std::from_chars(at, end, value);
     if (error != std::errc() || !std::isfinite(value)) return {};
+    if (stop != end && *stop != ' ' && *stop != ',') return {};
     numbers.push_back(value);
     at = stop;
+    skip_spaces();
+    wants_more = at != end && *at == ',';
+    if (wants_more) ++at;
   }
-  return numbers;
 }
 
 Status CameraChange::set(const std::string& key, const std::string& value) {

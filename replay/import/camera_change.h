@@ -9,7 +9,7 @@
 
 namespace tumble::replay {
 
-/// The finite numbers of "0 0 -9.81", with spaces or commas between; empty for any other text.
+/// The finite numbers of "0 0 -9.81", with spaces or one comma between; empty for any other text.
 std::vector<double> numbers_of(const std::string& text);
 /// One number; three. False for any other text.
 bool take_number(const std::string& text, double& out);

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 #include "src/base/check.h"
 
@@ -18,6 +20,8 @@ extern char** environ;  // NOLINT: POSIX asks for this declaration
 namespace tumble::process {
 namespace {
 
+constexpr int kBusyTries = 200;
+constexpr std::chrono::milliseconds kBusyPause{10};
 constexpr int kShellSignals = 128;  // a shell's status for a command that signal n ended is this and n
 
 // A hook of git's runs us with these set; a git that we start would then work on the hook's repository.
@@ -119,8 +123,18 @@ int start(const Program& program, pid_t& child) {
   SIM_CHECK(!program.words.empty());
   const Surroundings surroundings(program);
   std::vector<std::string> words = program.words, environment = environment_of(program);
-  return posix_spawnp(&child, words[0].c_str(), surroundings.actions(), surroundings.attributes(),
-                      pointers_to(words).data(), pointers_to(environment).data());
+  const auto spawn = [&] {
+    return posix_spawnp(&child, words[0].c_str(), surroundings.actions(), surroundings.attributes(),
+                        pointers_to(words).data(), pointers_to(environment).data());
+  };
+  int failed = spawn();
+  // A program that was written a moment ago is busy until a child that another thread has just forked has become the
+  // program that it starts: until then that child holds the file open as well.
+  for (int k = 0; failed == ETXTBSY && k < kBusyTries; ++k) {
+    std::this_thread::sleep_for(kBusyPause);
+    failed = spawn();
+  }
+  return failed;
 }
 
 ChildEnd wait_for(pid_t child) {

@@ -56,6 +56,25 @@ TEST(RunChild, SaysThatAProgramIsMissing) {
   EXPECT_NE(run_child(missing).error().message.find("cannot be started"), std::string::npos);
 }
 
+// A child that another thread has just forked may hold a program open that was written a moment ago.
+TEST(RunChild, WaitsForAProgramThatIsBusy) {
+  const std::string path = testing::TempDir() + "tumble_busy_program";
+  std::ofstream file(path, std::ios::binary);
+  file << "#!/bin/sh\nexit 7\n" << std::flush;
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  std::jthread later([&file] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    file.close();
+  });
+  Program busy;
+  busy.words = {path};
+  const Result<ChildEnd> end = run_child(busy);
+  ASSERT_TRUE(end.ok()) << end.error().message;
+  EXPECT_EQ(end->exit, 7);
+  later.join();
+  std::filesystem::remove(path);
+}
+
 TEST(RunChild, EndsAChildThatTakesTooLongAndAllThatItStarted) {
   const std::string file = testing::TempDir() + "tumble_late_child.txt";
   std::filesystem::remove(file);

@@ -48,7 +48,7 @@ void declare_arguments(Arguments& arguments, LiveArguments& target) {
 std::vector<std::string> words_of(const LiveArguments& arguments) {
   std::vector<std::string> words;
   const auto add = [&](const char* name, const std::string& value) {
-    if (!value.empty()) words.insert(words.end(), {name, value});
+    if (!value.empty()) words.push_back(std::string(name) + '=' + value);  // a value may begin with a dash
   };
   add("--output", arguments.log);
   add("--from", arguments.from);

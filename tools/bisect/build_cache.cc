@@ -65,12 +65,13 @@ bool BuildCache::take(const std::string& commit, const std::string& to) const {
   fs::remove(to, error);
   fs::copy_file(from / kProgram, to, error);
   const Result<golden::FileHash> found = golden::hash_file(to);
-  if (!error && found.ok() && found->hash == *wanted) {
-    fs::last_write_time(from / kHash, fs::file_time_type::clock::now(), error);
-    return true;
+  if (error || !found.ok()) return false;  // a full disk, say
+  if (found->hash != *wanted) {
+    fs::remove_all(from, error);
+    return false;
   }
-  fs::remove_all(from, error);
-  return false;
+  fs::last_write_time(from / kHash, fs::file_time_type::clock::now(), error);
+  return true;
 }
 
 Status BuildCache::keep(const std::string& commit, const std::string& program) const {

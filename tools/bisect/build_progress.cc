@@ -18,6 +18,7 @@ std::string end_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return "";
   const std::streamoff size = file.tellg();
+  if (size < 0) return "";
   std::string text(static_cast<std::size_t>(std::min(size, kBytesRead)), ' ');
   file.seekg(size - static_cast<std::streamoff>(text.size()));
   file.read(text.data(), static_cast<std::streamsize>(text.size()));

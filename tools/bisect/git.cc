@@ -100,7 +100,8 @@ Result<std::uint64_t> Git::depth(const std::string& commit) const {
 }
 
 Result<CommitFacts> Git::facts(const std::string& commit) const {
-  const Result<std::string> text = run(repository_, {"show", "--no-patch", "--format=%H%n%s%n%an%n%aI", commit});
+  const Result<std::string> text =
+      run(repository_, {"show", "--no-show-signature", "--no-patch", "--format=%H%n%s%n%an%n%aI", commit});
   if (!text.ok()) return text.error();
   CommitFacts facts;
   std::istringstream lines(*text);

@@ -1,8 +1,10 @@
 #include "tools/bisect/known_answers.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "golden/suite/text_files.h"
+#include "tools/files/json_values.h"
 
 namespace tumble::tools::bisect {
 namespace {
@@ -23,16 +25,25 @@ Json answer_json(const std::string& commit, const Asked& asked) {
 
 Asked asked_from(const Json& row) {
   Asked asked;
-  asked.answer.asked = row.value("asked", false);
-  asked.answer.yes = row.value("yes", false);
-  asked.answer.message = row.value("words", "");
-  asked.answer.metric = number_of(row.value("metric", Json()));
-  asked.answer.not_repeatable = row.value("not_repeatable", "");
-  asked.answer.outcome = row.value("outcome", "");
-  asked.answer.other = row.value("other", "");
-  asked.answer.sessions_differ = row.value("sessions_differ", "");
-  asked.seconds = row.value("seconds", 0.0);
+  asked.answer.asked = flag_in(row, "asked");
+  asked.answer.yes = flag_in(row, "yes");
+  asked.answer.message = text_in(row, "words");
+  asked.answer.metric = number_of(member(row, "metric"));
+  asked.answer.not_repeatable = text_in(row, "not_repeatable");
+  asked.answer.outcome = text_in(row, "outcome");
+  asked.answer.other = text_in(row, "other");
+  asked.answer.sessions_differ = text_in(row, "sessions_differ");
+  asked.seconds = number_of(member(row, "seconds")).value_or(0);
   return asked;
+}
+
+/// As save() writes it.
+bool is_state(const Json& json) {
+  const Json answers = member(json, "answers");
+  return answers.is_array() && std::ranges::all_of(answers, [](const Json& row) {
+           return !text_in(row, "commit").empty() && member(row, "asked").is_boolean() &&
+                  member(row, "yes").is_boolean();
+         });
 }
 
 }  // namespace
@@ -45,11 +56,14 @@ Status KnownAnswers::load() {
   const Result<std::string> text = golden::read_text(path_);
   if (!text.ok()) return save();
   const Json json = Json::parse(*text, nullptr, false);
-  if (!json.is_object() || json.value("question", "") != json_["question"] || !json.contains("answers")) {
+  if (!is_state(json)) {
+    return damaged(path_ + ": is no list of answers that a bisection wrote; leave --resume out");
+  }
+  if (member(json, "question") != json_["question"]) {
     return bad_input(path_ + ": is the state of another bisection; leave --resume out, or give the arguments it had");
   }
   json_ = json;
-  for (const Json& row : json_["answers"]) known_[row.value("commit", "")] = asked_from(row);
+  for (const Json& row : json_["answers"]) known_[text_in(row, "commit")] = asked_from(row);
   return {};
 }
 

@@ -16,7 +16,8 @@ class KnownAnswers {
   /// fingerprint: of the settings; a file of others is not read.
   KnownAnswers(std::string path, const std::string& fingerprint);
 
-  /// Reads the file, or makes it. Errors: kBadInput: it holds the answers to another question; the disk.
+  /// Reads the file, or makes it. Errors: kBadInput: it holds the answers to another question; kDamaged: no answers;
+  /// the disk.
   Status load();
 
   /// Null if the commit was not asked.

@@ -1,6 +1,7 @@
 #include "tools/bisect/recording.h"
 
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -43,6 +44,18 @@ std::vector<std::string> transform_words(const sim::Transform& transform) {
   return words;
 }
 
+/// Whether the session has inputs that its scene tells nothing of: made by a hand, or by `--realtime`.
+Result<bool> has_more_inputs(replay::LogReader& log) {
+  std::uint64_t of_scene = 0, of_steps = 0;
+  for (const sim::TimedCommand& input : log.header().scene.inputs) of_scene += input.step <= log.last_step() ? 1U : 0U;
+  for (std::uint64_t k = log.first_state() + 1; k <= log.last_step(); ++k) {
+    const Result<const replay::StepRecord*> record = log.read_hashes(k);
+    if (!record.ok()) return record.error();
+    of_steps += (*record)->inputs.size();
+  }
+  return of_steps > of_scene;
+}
+
 }  // namespace
 
 Status Recording::prepare() {
@@ -55,6 +68,7 @@ Status Recording::prepare() {
   if (!inputs.ok()) return inputs.error();
   if (Status ok = golden::write_file(files_.inputs, std::string_view(*inputs)); !ok.ok()) return ok;
   const std::string steps = std::to_string(log->step_count());
+  record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
   if (header.goes_on || header.scene_text.empty()) {
     if (settings_.run.find("{scene}") != std::string::npos && settings_.engine_scene.empty()) {
       return bad_input("--run: found {scene}, and " + settings_.log +
@@ -62,15 +76,18 @@ Status Recording::prepare() {
                        "a path from " +
                        "its folder, leave {scene} out, or record the log from a scene");
     }
-    record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
     return {};
   }
   files_.scene = place_.file("scene/" + file_name(header.scene.name) + ".toml");
+  if (Status ok = golden::write_file(files_.scene, std::string_view(header.scene_text)); !ok.ok()) return ok;
+  const Result<bool> more_inputs = has_more_inputs(*log);
+  if (!more_inputs.ok()) return more_inputs.error();
+  if (*more_inputs) return {};
   record_words_ = {files_.scene, "--steps", steps};
   for (const std::string& value : header.overrides) record_words_.insert(record_words_.end(), {"--set", value});
   const std::vector<std::string> transform = transform_words(header.transform);
   record_words_.insert(record_words_.end(), transform.begin(), transform.end());
-  return golden::write_file(files_.scene, std::string_view(header.scene_text));
+  return {};
 }
 
 std::string Recording::program() const {
@@ -104,9 +121,19 @@ Result<Recording::Command> Recording::command(const std::string& session) const 
   return Command{*std::move(words), project.folder.string()};
 }
 
+golden::CaseFolder Recording::case_folder() const {
+  return {settings_.case_name, fs::path(suite()) / "cases" / settings_.case_name};
+}
+
+bool Recording::runs_engine() const {
+  if (settings_.case_name.empty()) return false;
+  const Result<golden::CaseRules> rules = golden::read_rules(case_folder().file(golden::kRulesFile));
+  return rules.ok() && rules->is_external();
+}
+
 /// The case's own engine where it has one: a session of another engine is not that of our physics.
 Result<Recording::Command> Recording::case_command(const std::string& session) const {
-  const golden::CaseFolder folder{settings_.case_name, fs::path(suite()) / "cases" / settings_.case_name};
+  const golden::CaseFolder folder = case_folder();
   const Result<golden::CaseRules> rules = golden::read_rules(folder.file(golden::kRulesFile));
   if (!rules.ok()) return rules.error();
   if (!rules->is_external()) {

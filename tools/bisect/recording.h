@@ -6,6 +6,7 @@
 #include "golden/engine/engine_run.h"
 #include "tools/bisect/settings.h"
 #include "tools/bisect/workplace.h"
+#include "tumble/golden/suite.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::tools::bisect {
@@ -31,6 +32,10 @@ class Recording {
   /// Makes a log of what the command wrote to `session`: an engine may write a table. Errors: session_file.h's.
   [[nodiscard]] Status make_log(const std::string& session) const;
 
+  /// Whether the case that is asked about has an engine of its own at the revision in place: its build may make more
+  /// than the program, so that a program that was kept is not all that is needed.
+  [[nodiscard]] bool runs_engine() const;
+
   [[nodiscard]] std::string program() const;  ///< of the revision: the one that its build made, or a kept one
   /// A program that was kept, in place of the one that a build makes; empty: none.
   void use_kept(const std::string& program) { kept_ = program; }
@@ -42,6 +47,7 @@ class Recording {
 
  private:
   [[nodiscard]] Result<Command> case_command(const std::string& session) const;
+  [[nodiscard]] golden::CaseFolder case_folder() const;
 
   const Settings& settings_;
   const Workplace& place_;

@@ -13,6 +13,7 @@
 #include "src/process/run_child.h"
 #include "src/scenes/problem.h"
 #include "tools/bisect/asked_sessions.h"
+#include "tools/files/json_values.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
 #include "tumble/replay/compare.h"
@@ -38,16 +39,25 @@ Json json_of(const std::string& path) {
   return text.ok() ? Json::parse(*text, nullptr, false) : Json();
 }
 
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 /// "step 12, phase integrate, body 7, position.x" of a report that another version of this program may have written.
 std::string where(const Json& first) {
   if (!first.is_object()) return "it differs";
-  const auto text = [&](const char* key) {
-    const Json value = first.value(key, Json());
-    return value.is_string() ? value.get<std::string>() : value.dump();
-  };
+  const auto text = [&](const char* key) { return text_in(first, key, dumped(member(first, key))); };
   std::string words = "differs from step " + text("step") + " on, phase " + text("phase");
-  if (first.contains("body") && !first["body"].is_null()) words += ", body " + text("body");
+  if (!member(first, "body").is_null()) words += ", body " + text("body");
   return words + ", " + text("field");
+}
+
+/// Of a replay that found no difference: hashes that it had none of are the part that matters.
+std::string same_text(const Json& report) {
+  const Json parts = member(report, "not_compared");
+  for (const Json& part : parts.is_array() ? parts : Json::array()) {
+    if (!part.is_string() || !part.get<std::string>().starts_with("phase hashes")) continue;
+    return "the same in every compared bit; not compared: " + part.get<std::string>();
+  }
+  return "the same in every bit";
 }
 
 /// "the same in every bit", or of what was compared, with what was passed over.
@@ -129,7 +139,8 @@ Result<bool> Asker::build(const std::string& commit, std::string& why) {
   const std::string log = place_.file("build_" + commit.substr(0, 10) + ".txt");
   if (Status ok = git_.put(place_.source(), commit, false); !ok.ok()) return ok.error();
   recording_.use_kept("");
-  if (cache_ != nullptr) {
+  const bool keeps = cache_ != nullptr && !recording_.runs_engine();
+  if (keeps) {
     const std::string kept = place_.file("kept/" + fs::path(settings_.program).filename().string());
     if (cache_->take(commit, kept)) {
       recording_.use_kept(kept);
@@ -143,7 +154,8 @@ Result<bool> Asker::build(const std::string& commit, std::string& why) {
     built = build_once(log, progress, why);
   }
   built_before_ = true;
-  if (built.ok() && *built && cache_ != nullptr) {
+  std::error_code error;  // a build that made no program is the revision's fault, which running it shows
+  if (built.ok() && *built && keeps && fs::exists(recording_.program(), error)) {
     if (Status ok = cache_->keep(commit, recording_.program()); !ok.ok()) return ok.error();
   }
   return built;
@@ -176,12 +188,12 @@ Result<Answer> Asker::ask_replay() {
   const Result<bool> same =
       run({{recording_.program(), "replay", settings_.log, "--json"}, place_.source()}, "replay", why);
   if (!same.ok()) return same.error();
-  if (*same) return answered(true, "the same in every bit");
-  if (last_exit_ != 1) return skipped(why);
+  if (!*same && last_exit_ != 1) return skipped(why);
   const Json report = json_of(place_.file("replay.out"));
-  const Json first = report.is_object() ? report.value("first", Json()) : Json();
+  if (*same) return answered(true, same_text(report));
+  const Json first = member(report, "first");
   Answer answer = answered(false, where(first));
-  answer.outcome = first.dump(-1, ' ', false, Json::error_handler_t::replace);
+  answer.outcome = dumped(first);
   return answer;
 }
 
@@ -233,14 +245,14 @@ Result<Answer> Asker::ask_case() {
   if (!passed.ok()) return passed.error();
   if (!*passed && last_exit_ != 1) return skipped(why);
   const Json report = json_of(place_.file("check.out"));
-  const Json cases = report.is_object() ? report.value("cases", Json::array()) : Json::array();
+  const Json cases = member(report, "cases");
   if (!cases.is_array() || cases.empty()) return skipped("check printed no report that can be read");
   const Json& result = cases[0];
-  if (!settings_.image) return answered(*passed, result.value("summary", *passed ? "passed" : "failed"));
-  const Json verdict = result.value("verdicts", Json::object()).value("image", Json::object());
-  const std::string outcome = verdict.value("outcome", "none");
-  if (outcome == "none") return skipped("no image verdict: " + verdict.value("words", "the case has no picture"));
-  return answered(outcome == "pass", verdict.value("words", outcome));
+  if (!settings_.image) return answered(*passed, text_in(result, "summary", *passed ? "passed" : "failed"));
+  const Json verdict = member(member(result, "verdicts"), "image");
+  const std::string outcome = text_in(verdict, "outcome", "none");
+  if (outcome == "none") return skipped("no image verdict: " + text_in(verdict, "words", "the case has no picture"));
+  return answered(outcome == "pass", text_in(verdict, "words", outcome));
 }
 
 Result<Answer> Asker::ask_once(const std::string& commit) {

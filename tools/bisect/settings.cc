@@ -20,6 +20,7 @@ std::string Settings::fingerprint() const {
                {"bad", bad},
                {"first_parent", first_parent},
                {"log", log},
+               {"log_hash", log_hash},
                {"metric", metric ? metric->text : ""},
                {"bodies", to_string(measure.bodies)},
                {"axis", measure.lateral == replay::LateralAxis::kX ? "x" : "y"},

@@ -20,6 +20,7 @@ struct Settings {
 
   // The question. Without metric and case: whether a replay of the log agrees in every bit.
   std::string log;                            ///< the session; may be empty where a case is asked about
+  std::string log_hash;                       ///< of that file: answers are about what it held
   std::optional<replay::MetricBound> metric;  ///< whether the session, recorded anew, is within this bound
   replay::MeasureOptions measure;             ///< for the metric
   std::string case_name;                      ///< whether the revision's own check of this golden case passes

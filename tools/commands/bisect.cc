@@ -10,10 +10,11 @@
 #include <thread>
 #include <vector>
 
+#include "golden/bundle/file_hashes.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "src/process/split_words.h"
-#include "tools/arguments/arguments.h"
+#include "tools/arguments/bisect_options.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
 #include "tools/bisect/bisection.h"
@@ -32,68 +33,18 @@ constexpr const char* kProgram = "build/release/tools/tumble";
 constexpr unsigned kProcessorsAJob = 8;
 constexpr double kCacheGb = 5;
 
-struct BisectCommand {
-  std::vector<std::string> logs;
-  std::string good, bad;
-  std::string repository = ".";
-  bool first_parent = false;
-  std::string metric;
-  MeasureArguments measure;
-  std::string case_name;
-  bool image = false;
-  std::vector<std::string> build;
-  std::string program;
-  std::string run;
-  std::optional<double> timeout;
-  std::string work;
-  bool resume = false;
-  bool keep = false;
-  bool automatic = false;
-  std::optional<std::uint64_t> asks, jobs;
-  std::string cache;
-  std::optional<double> cache_gb;
-  bool shared = false;
-  bool json = false;
-};
-
 std::string absolute(const std::string& path) {
   std::error_code error;
   return path.empty() ? "" : fs::absolute(path, error).lexically_normal().string();
 }
 
-Status check_arguments(const BisectCommand& options) {
-  const bool of_commits = !options.good.empty() || options.automatic;
-  if (!of_commits && options.logs.size() > 2) {
-    return bad_input("wanted two logs to compare, found " + std::to_string(options.logs.size()));
-  }
-  if (!of_commits) {
-    return bad_input(
-        "wanted two logs, or --good REV and --bad REV, or --auto\n'tumble bisect --help' explains the arguments.");
-  }
-  if (options.logs.size() > 1) {
-    return bad_input("wanted one log with --good and --bad or --auto, found " + std::to_string(options.logs.size()));
-  }
-  if (options.logs.empty() == options.case_name.empty()) {
-    return bad_input("wanted LOG, the session to ask about, or --case NAME in its place");
-  }
-  if (options.image && options.case_name.empty()) {
-    return bad_input("--image: wanted --case NAME too, the case whose pictures are judged");
-  }
-  if (!options.metric.empty() && !options.case_name.empty()) return bad_input("--metric: does not go with --case");
-  if (!options.run.empty() && !options.case_name.empty()) return bad_input("--run: does not go with --case");
-  if (!options.run.empty() && options.run.find("{log}") == std::string::npos) {
-    return bad_input("--run: wanted {log} in the command line, where the log to write is put");
-  }
-  return {};
-}
-
 /// A build uses some processors by itself.
 std::uint64_t usual_jobs() { return std::clamp(std::thread::hardware_concurrency() / kProcessorsAJob, 1U, 4U); }
 
-Result<bisect::Settings> settings_of(const BisectCommand& options) {
-  if (Status ok = check_arguments(options); !ok.ok()) return ok.error();
+Result<bisect::Settings> settings_of(const BisectArguments& options) {
+  if (Status ok = check_for_commits(options); !ok.ok()) return ok.error();
   bisect::Settings settings;
-  settings.repository = absolute(options.repository);
+  settings.repository = absolute(options.repository.empty() ? "." : options.repository);
   settings.good = options.good;
   settings.bad = options.bad.empty() ? "HEAD" : options.bad;
   settings.asks = options.asks.value_or(settings.asks);
@@ -116,6 +67,9 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
     named = log->bodies();
     axes = log->header().axes();
     is_external = log->header().engine.has_value();
+    const Result<golden::FileHash> hash = golden::hash_file(settings.log);
+    if (!hash.ok()) return hash.error();
+    settings.log_hash = hash->hash;
   }
   Result<replay::MeasureOptions> measure = parse_measure(options.measure, axes, named);
   if (!measure.ok()) return measure.error();
@@ -138,7 +92,7 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
   if (settings.build.empty() && settings.run.empty() && !settings.has_project) {
     settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
   }
-  if (!settings.cache.empty() && !settings.run.empty()) {
+  if (!settings.cache.empty() && (!settings.run.empty() || settings.has_project)) {
     return bad_input(
         "--cache: keeps the program that a build makes, and the files of another engine's build are not "
         "known; leave it out");
@@ -173,7 +127,7 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
       });
 }
 
-Result<Exit> find_commit(const BisectCommand& options) {
+Result<Exit> find_commit(const BisectArguments& options) {
   const Result<bisect::Settings> settings = settings_of(options);
   if (!settings.ok()) return settings.error();
   const process::InterruptGuard guard;
@@ -205,80 +159,17 @@ Result<Exit> find_commit(const BisectCommand& options) {
   return finding->found() ? Exit::kDifference : Exit::kCannotFinish;
 }
 
-void declare_question(Arguments& arguments, BisectCommand& options) {
-  arguments
-      .option("--metric", "EXPR", options.metric,
-              "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'")
-      .offers(metric_words());
-  add_measure(arguments, options.measure);
-  arguments.option("--case", "NAME", options.case_name,
-                   "Ask whether each revision's own check of this golden case passes");
-  arguments.flag("--image", options.image, "With --case: ask for the image verdict alone");
-}
-
-void declare_building(Arguments& arguments, BisectCommand& options) {
-  arguments.option("--repo", "DIR", options.repository, "A folder in the clone; the current one if not given");
-  arguments.flag("--first-parent", options.first_parent, "Follow first parents only, to find a merge");
-  arguments.option(
-      "--build", "COMMAND", options.build,
-      "A command that builds a revision, run in its folder; may be repeated. If not given: none with --run, else the "
-      "release preset's build of tumble; of another engine's session, that of tumble.toml");
-  arguments.option(
-      "--program", "PATH", options.program,
-      "The program that the build makes, a path from that folder; build/release/tools/tumble if not given");
-  arguments.option(
-      "--run", "COMMAND", options.run,
-      "Instead of the program and of tumble.toml: a command of any engine that makes the log {log} of the scene "
-      "{scene} and the inputs {inputs}");
-  constexpr double kTimeoutMax = 1e6;
-  arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
-  arguments.option("--work", "DIR", options.work,
-                   "Work in this folder; one under the folder for temporary files if not given");
-  arguments.whole("--jobs", "N", options.jobs, 1, 64,
-                  "Revisions built and asked at once; one for every eight processors if not given, at most four");
-  arguments.whole("--asks", "N", options.asks, 1, 100,
-                  "Ask each revision N times, and more often if its answers differ; 2 if not given");
-  const Argument cache = arguments.option("--cache", "DIR", options.cache, "Keep the built programs in this folder");
-  arguments.positive("--cache-size", "GB", options.cache_gb, 1e6, "Its bound; 5 if not given").needs(cache);
-  arguments.flag("--resume", options.resume, "Continue an interrupted bisection: its arguments and --resume");
-  arguments.flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
-}
-
 }  // namespace
 
 Action declare_bisect(Arguments& arguments) {
-  auto options = std::make_shared<BisectCommand>();
-  arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about");
-  const Argument good = arguments.option("--good", "REV", options->good, "A good revision");
-  const Argument bad = arguments.option("--bad", "REV", options->bad, "A later, bad revision");
-  good.needs(bad);
-  arguments
-      .flag("--auto", options->automatic,
-            "Find the good revision too: back from the bad one, or from HEAD, by 1, 2, 4 … first parents")
-      .excludes(good);
-  arguments
-      .flag("--shared", options->shared,
-            "Two logs: judge only what both have; a channel that one log alone has is named, and no difference")
-      .excludes(good);
-  declare_question(arguments, *options);
-  declare_building(arguments, *options);
-  arguments.json(options->json);
-  arguments.footer(
-      "docs/bisecting.md explains it. Revisions that do not build or cannot read the log are skipped. The clone's own\n"
-      "files, index and branches are not touched.\n\n"
-      "Exit status: 0 two logs are identical; 1 they differ, or the commit was found; 2 bad usage, or both revisions\n"
-      "answer alike; 3 a damaged log; 4 interrupted, or the remaining commits could not be asked.\n\n"
-      "Examples:\n"
-      "  tumble bisect before.tumble after.tumble\n"
-      "  tumble bisect --good v0.1 --bad main wall.tumble\n"
-      "  tumble bisect --auto wall.tumble --cache ~/.cache/tumble-builds --jobs 2\n"
-      "  tumble bisect --good HEAD~40 --bad HEAD grid.tumble --metric 'lateral_max<=0'\n"
-      "  tumble bisect --good HEAD~40 --bad HEAD --case brick_wall --image");
+  auto options = std::make_shared<BisectArguments>();
+  declare_arguments(arguments, *options);
   return [options] {
     const bool logs_alone =
         options->good.empty() && options->bad.empty() && !options->automatic && options->logs.size() == 2;
-    return logs_alone ? bisect::locate_in_logs(options->logs[0], options->logs[1], options->json, options->shared)
-                      : find_commit(*options);
+    if (!logs_alone) return find_commit(*options);
+    if (Status ok = check_for_logs(*options); !ok.ok()) return Result<Exit>(ok.error());
+    return bisect::locate_in_logs(options->logs[0], options->logs[1], options->json, options->shared);
   };
 }
 
