@@ -12,6 +12,7 @@
 #include "replay/blame/question.h"
 #include "replay/blame/steps_again.h"
 #include "replay/blame/value_history.h"
+#include "src/base/shell_word.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -25,8 +26,7 @@ struct Cursor {
   sim::BodyId body = 0;
   std::size_t field = 0;
   std::size_t before_write = kEndOfStep;  ///< in the account of the step
-  bool began =
-      false;  ///< the value at the end of the step: where the greater part of it came from, not its last change
+  bool began = false;                     ///< where the greater part of the value came from, not its last change
 };
 
 /// Follows one value back.
@@ -95,8 +95,7 @@ class Chain {
     Result<const BodyAccount*> found = account(at.step, at.body);
     if (!found.ok()) return found.error();
     const BodyAccount& own = **found;
-    const std::optional<std::size_t> write =
-        cursor.began ? largest_change(own, at.field) : last_change(own, at.field, at.before_write);
+    const auto write = cursor.began ? largest_change(own, at.field) : last_change(own, at.field, at.before_write);
     if (!write) return explain_before(at, own);
     if (!cursor.began) return explain_write(at, own, *write);
     const Result<std::optional<BodyMotion>> before = steps_.after(at.step - 1, at.body);
@@ -269,10 +268,11 @@ class Chain {
     answer.after = motion->has_value() ? (*motion)->of(at.field) : 0.0;
     const LogHeader& header = log().header();
     if (header.goes_on) {
-      answer.text = "the state with which this log goes on from " + printable(header.goes_on->log);
-      blame_.ends = "what came before is in " + printable(header.goes_on->log) + ": tumble blame " +
-                    printable(header.goes_on->log) + " --body " + std::to_string(at.body) + " --field " +
-                    field_name(at.field) + " --step " + std::to_string(header.goes_on->step);
+      const std::string before = printable(header.goes_on->log);
+      answer.text = "the state with which this log goes on from " + before;
+      blame_.ends = "what came before is in " + before + ": tumble blame " + shell_quoted(before) + " --body " +
+                    std::to_string(at.body) + " --field " + field_name(at.field) + " --step " +
+                    std::to_string(header.goes_on->step);
     } else {
       answer.text = "the scene starts with it";
       answer.origin = body_place(header, at.body);

@@ -8,6 +8,7 @@
 
 #include "replay/blame/body_motion.h"
 #include "src/base/text.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -64,17 +65,26 @@ std::string line_text(std::size_t line, std::string_view table) {
   return "line " + std::to_string(line) + " of the scene, [[" + std::string(table) + "]]";
 }
 
-// The line of the scene's input with this index; none unless every table has its step, so that the order is sure.
+// The step of the input whose table begins at a line; none unless it is written there. A log may hold any text.
+std::optional<std::uint64_t> step_in_table(const LogHeader& header, std::size_t line) {
+  const std::optional<double> step = number_in_table(header.scene_text, line, "step");
+  const std::optional<double> time = number_in_table(header.scene_text, line, "time");
+  if (!step && !time) return std::nullopt;
+  const double number = step ? *step : 1 + std::round(*time / header.scene.world.dt);
+  if (!(number >= 0 && number <= static_cast<double>(sim::kStepsMax))) return std::nullopt;
+  return static_cast<std::uint64_t>(number);
+}
+
+// The line of the scene's input with this index; none unless every table has its step, so that the order is sure. A log
+// that goes on from another has the whole text, but only the inputs that are still to come.
 std::optional<std::size_t> input_line(const LogHeader& header, std::size_t index) {
-  const std::vector<std::size_t> lines = table_lines(header.scene_text, "input");
   const std::vector<sim::TimedCommand>& inputs = header.scene.inputs;
-  if (lines.size() != inputs.size()) return std::nullopt;
+  const std::uint64_t begin = header.goes_on ? header.goes_on->step : 0;
   std::vector<std::pair<std::uint64_t, std::size_t>> tables;
-  for (const std::size_t line : lines) {
-    const std::optional<double> step = number_in_table(header.scene_text, line, "step");
-    const std::optional<double> time = number_in_table(header.scene_text, line, "time");
-    if (!step && !time) return std::nullopt;
-    tables.emplace_back(static_cast<std::uint64_t>(step ? *step : 1 + std::round(*time / header.scene.world.dt)), line);
+  for (const std::size_t line : table_lines(header.scene_text, "input")) {
+    const std::optional<std::uint64_t> step = step_in_table(header, line);
+    if (!step) return std::nullopt;
+    if (*step > begin) tables.emplace_back(*step, line);
   }
   std::ranges::stable_sort(tables, {}, &std::pair<std::uint64_t, std::size_t>::first);
   const auto same = [](const auto& table, const sim::TimedCommand& input) { return table.first == input.step; };
@@ -128,7 +138,10 @@ std::string input_place(const LogHeader& header, std::uint64_t k, const sim::Com
   if (at == inputs.end()) return "an input made while the session ran";
   const auto index = static_cast<std::size_t>(at - inputs.begin());
   const std::optional<std::size_t> line = input_line(header, index);
-  return line ? line_text(*line, "input") : "input " + std::to_string(index + 1) + " of the scene";
+  if (line) return line_text(*line, "input");
+  // Of the inputs of a log that goes on, nothing tells how many came before.
+  if (header.goes_on) return "an input of the session that this log goes on from";
+  return "input " + std::to_string(index + 1) + " of the scene";
 }
 
 std::string body_place(const LogHeader& header, sim::BodyId body) {

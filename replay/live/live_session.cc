@@ -36,6 +36,7 @@ struct LiveSession::Parts {
   std::uint64_t posted = 0;
   Pace wanted;
   LiveFrame newest;
+  std::mutex finishing;  // of the one who ends the thread, before `lock`
   std::optional<Result<std::vector<SavedLog>>> finished;
 
   std::atomic<bool> wants_contacts = false;
@@ -168,11 +169,13 @@ bool LiveSession::wait_for_newer(std::uint64_t serial, double seconds) {
 }
 
 Result<std::vector<SavedLog>> LiveSession::finish() {
-  std::unique_lock held(parts_->lock);
+  const std::lock_guard alone(parts_->finishing);
   if (parts_->finished) return *parts_->finished;
-  parts_->requests.stop = true;
-  parts_->asked.notify_all();
-  held.unlock();
+  {
+    const std::lock_guard held(parts_->lock);
+    parts_->requests.stop = true;
+    parts_->asked.notify_all();
+  }
   parts_->thread.join();
   const Status completed = parts_->stepper.finish();
   if (completed.ok()) {

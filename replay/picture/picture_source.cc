@@ -137,13 +137,14 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
 // costs less than decoding a keyframe and starting from there.
 Status PictureSource::add_contacts(std::uint64_t k, Snapshot& snapshot) {
   if (!player_ || player_->world().state().step >= k || player_->world().state().step + 64 < k) {
+    player_.reset();
     Result<Player> player = Player::at(*log_, k - 1);
     if (!player.ok()) return player.error();
     player_ = *std::move(player);
   }
-  while (player_->world().state().step < k) {
-    const Result<const StepRecord*> stepped = player_->step();
-    if (!stepped.ok()) return stepped.error();
+  if (Status ok = player_->step_to(k); !ok.ok()) {
+    player_.reset();
+    return ok;
   }
   add_contact_markers(player_->world(), snapshot);
   return {};

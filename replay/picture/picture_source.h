@@ -46,7 +46,7 @@ class PictureSource {
   /// Bodies of other engines are drawn in their shapes; a shape whose surface is not known as the box around it. Reads
   /// state k of first_state() … last_step(). Quick where steps are read in ascending order. Errors:
   /// StateSource::read's; a body that no box and no throw of the log defines (kDamaged); with `contacts`, a step that
-  /// cannot be replayed.
+  /// cannot be replayed, or that this build computes otherwise (kCannotFinish).
   Result<Picture> read(std::uint64_t k, const PictureOptions& options = {});
 
  private:

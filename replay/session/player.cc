@@ -85,4 +85,17 @@ Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
   return &record_;
 }
 
+Status Player::step_to(std::uint64_t k) {
+  SIM_CHECK(session_.steps_done() < k, session_.steps_done(), k);
+  while (session_.steps_done() < k) {
+    if (Result<const StepRecord*> taken = step_hashes(); !taken.ok()) return taken.error();
+  }
+  const Result<const StepRecord*> logged = log_->read_hashes(k);
+  if (!logged.ok()) return logged.error();
+  if ((*logged)->state_hash == record_.state_hash) return {};
+  return cannot_finish(
+      log_->name() + ": this build computes another state of step " + std::to_string(k) +
+      " than the log holds, so its contacts are not those of the session; use the build that wrote it");
+}
+
 }  // namespace tumble::replay

@@ -34,6 +34,11 @@ class Player {
   /// Requires a step taken by this player.
   const StepRecord& add_states();
 
+  /// Takes the steps up to step k, which must lie ahead, and compares the state after it with the log's. Errors:
+  /// step()'s; kCannotFinish where this build computes another state, so that nothing it finds there is of the session.
+  /// After an error the player cannot step on.
+  Status step_to(std::uint64_t k);
+
   /// Sets the threads to step with; see World::use.
   void use(Workers* workers) { session_.use(workers); }
 

@@ -26,8 +26,9 @@ Result<const StepRecord*> StateSource::read(std::uint64_t k) {
 // before it.
 Status StateSource::simulate(std::uint64_t k) {
   if (player_ && player_->world().state().step + 1 == k) {
-    if (Result<const StepRecord*> played = player_->step(); !played.ok()) return played.error();
-    return {};
+    Result<const StepRecord*> played = player_->step_hashes();
+    if (!played.ok()) player_.reset();  // it may stand within the step
+    return played.ok() ? Status() : played.error();
   }
   Result<Player> player = Player::at(*log_, k);
   if (!player.ok()) return player.error();

@@ -91,20 +91,9 @@ Result<std::vector<ContactPoint>> ContactSource::read(std::uint64_t k) {
     if (!player.ok()) return player.error();
     player_ = *std::move(player);
   }
-  Hash128 computed;
-  while (player_->world().state().step < k) {
-    const Result<const StepRecord*> stepped = player_->step_hashes();
-    if (!stepped.ok()) {
-      player_.reset();
-      return stepped.error();
-    }
-    computed = (*stepped)->state_hash;
-  }
-  const Result<const StepRecord*> logged = log_->read_hashes(k);
-  if (!logged.ok()) return logged.error();
-  if ((*logged)->state_hash != computed) {
-    return cannot_finish(log_->name() + ": this build computes another state of step " + std::to_string(k) +
-                         " than the log holds, so its contacts are not those of the session");
+  if (Status ok = player_->step_to(k); !ok.ok()) {
+    player_.reset();
+    return ok.error();
   }
   return contact_points(player_->world());
 }

@@ -8,7 +8,7 @@
 
 namespace tumble::replay {
 
-/// A run of steps that a log does not hold, between others or at its end.
+/// A run of steps that a log does not hold, between others.
 struct StepGap {
   std::uint64_t first = 0;
   std::uint64_t last = 0;

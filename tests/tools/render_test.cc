@@ -177,6 +177,24 @@ TEST_F(ToolsRender, ShowsBoundsContactsVelocitiesAndFreezing) {
   EXPECT_GT(difference(plain, drawn({"--step", "30", "--show", "freezing"}).image).far_off, 50U);
 }
 
+// A build of another version takes other steps, whose contacts would be drawn over the states of the log.
+TEST_F(ToolsRender, DrawsNoContactsOfAnotherSession) {
+  const std::string older = TUMBLE_SOURCE_DIR "/tests/data/format_1.3_methods_10_layered.tumble";
+  EXPECT_EQ(shop_.run({"render", older, "--size", "96x64", "-o", "x.png"}).exit, 0);
+  const Outcome outcome = shop_.run({"render", older, "--size", "96x64", "--show", "contacts", "-o", "x.png"});
+  EXPECT_EQ(outcome.exit, 4) << outcome.out;
+  EXPECT_NE(outcome.err.find("this build computes another state of step 40"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ToolsRender, SaysThatTheOtherLogIsTorn) {
+  const std::string whole = shop_.read("s.tumble");
+  shop_.write("torn.tumble", whole.substr(0, whole.size() - 20));
+  const Outcome outcome =
+      shop_.run({"render", "s.tumble", "--compare", "torn.tumble", "--step", "3", "--size", "96x64"});
+  EXPECT_EQ(outcome.exit, 3);
+  EXPECT_NE(outcome.err.find("torn.tumble: torn"), std::string::npos) << outcome.err;
+}
+
 TEST_F(ToolsRender, TakesAnotherCamera) {
   const render::Image scenes = drawn({"--step", "12"}).image;
   EXPECT_EQ(drawn({"--step", "12", "--camera", "position=12,-16,8", "--camera", "target=0,0,2"}).image, scenes)
@@ -246,6 +264,11 @@ TEST_F(ToolsRender, RefusesWhatItCannotDo) {
       {{"--camera", "zoom=2"}, "position, target, fov, focus or blur"},
       {{"--camera", "position"}, "wanted KEY=VALUE"},
       {{"--camera", "position=1,2"}, "three coordinates"},
+      {{"--camera", "position=3-8-4"}, "three coordinates"},
+      {{"--camera", "position=3,,8,4"}, "three coordinates"},
+      {{"--camera", "position=3,8,4,"}, "three coordinates"},
+      {{"--speed", "1e-300", "-o", "s.mp4"}, "found more than 1000000 frames"},
+      {{"--speed", "1e-322", "-o", "s.mp4"}, "found more than 1000000 frames"},
       {{"--camera", "position=0,0,2", "--camera", "target=0,0,2"}, "no direction to look in"},
       {{"-o", "no/such/x.png"}, "cannot be written"},
   };

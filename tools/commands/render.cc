@@ -229,7 +229,8 @@ Result<Exit> render_command(const RenderArguments& arguments) {
     if (lost.bodies > 1) std::cerr << "; " << count_text(lost.bodies - 1, "body") << " more likewise";
     std::cerr << '\n';
   }
-  return judge("render", *log, Exit::kSame);
+  const Exit verdict = judge("render", *log, Exit::kSame);
+  return other ? judge("render", *other, verdict) : verdict;
 }
 
 }  // namespace

@@ -207,6 +207,9 @@ Result<Exit> play(const LiveArguments& arguments) {
   const Status played = player.run();
   const Result<std::vector<replay::SavedLog>> logs = (*session)->finish();
   session_at_exit() = nullptr;
+  if (!played.ok() && !logs.ok()) {
+    return Error{logs.error().kind, played.error().message + "; and " + logs.error().message};
+  }
   if (!played.ok()) return played.error();
   if (!logs.ok()) return logs.error();
   const render::Renderer* renderer = player.screen().renderer();

@@ -1,5 +1,7 @@
 #include "tools/output/frames.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "src/base/check.h"
@@ -15,9 +17,19 @@ std::vector<Frame> frames_of_states(std::uint64_t first, std::uint64_t last, std
   return frames;
 }
 
+namespace {
+
+// Told before memory is: a slow speed, or a pause that a log claims, may mean any number.
+Error too_many_frames(const char* options) {
+  return bad_input(std::string(options) + ": found more than " + std::to_string(kFilmFramesMax) +
+                   " frames, wanted at most so many");
+}
+
+}  // namespace
+
 Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
                                           double seconds_each) {
-  SIM_CHECK(seconds_each > 0, seconds_each);
+  SIM_CHECK(seconds_each >= 0, seconds_each);
   constexpr double kSameMoment = 1e-6;  // of a step: times are sums, which round
   std::vector<Frame> frames = {{first, 1}};
   double end = 0;  // of step k, from state `first` on, s
@@ -28,6 +40,7 @@ Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t 
     end += dt;
     for (double at = static_cast<double>(frames.size()) * seconds_each; at <= end + dt * kSameMoment;
          at = static_cast<double>(frames.size()) * seconds_each) {
+      if (frames.size() == kFilmFramesMax) return too_many_frames("--speed, --fps");
       const double part = (at - start) / dt;
       frames.push_back({k, part > 1 - kSameMoment ? 1 : part});
     }
@@ -71,8 +84,9 @@ Result<std::vector<Frame>> frames_as_seen(replay::LogReader& log, std::uint64_t 
   }
   std::vector<Frame> frames;
   std::size_t at = 0;
-  const double begin = views->front().time, end = views->back().time;
+  const double begin = views->front().time, end = std::max(begin, views->back().time);
   for (double time = begin; time <= end; time = begin + static_cast<double>(frames.size()) * seconds_each) {
+    if (frames.size() == kFilmFramesMax) return too_many_frames("--as-seen, --fps");
     while (at + 1 < views->size() && (*views)[at + 1].time <= time) ++at;
     frames.push_back((*views)[at].frame);
   }

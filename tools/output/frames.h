@@ -29,12 +29,17 @@ struct Frame {
 /// States first, first + every, … up to last.
 std::vector<Frame> frames_of_states(std::uint64_t first, std::uint64_t last, std::uint64_t every);
 
-/// Moments that are `seconds_each` of simulated time apart, from state first to state last. Errors: the log's.
+/// The most frames of a movie.
+inline constexpr std::uint64_t kFilmFramesMax = 1'000'000;
+
+/// Moments that are `seconds_each` of simulated time apart, from state first to state last. Errors (kBadInput): more
+/// than kFilmFramesMax; the log's.
 Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
                                           double seconds_each);
 
 /// Moments of a played session as its window showed them, `seconds_each` apart on the clock of the one who played, with
-/// pauses, slow motion, camera and effects. Errors (kBadInput): no view in the log; the log's.
+/// pauses, slow motion, camera and effects. Errors (kBadInput): no view in the log; more than
+/// kFilmFramesMax; the log's.
 Result<std::vector<Frame>> frames_as_seen(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
                                           double seconds_each);
 

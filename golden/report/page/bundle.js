@@ -4077,12 +4077,12 @@ X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[])
 o.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let l=e.effect??a,c=l.step!==a.step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append("Effec\
 t: ",Pn("step ".concat(l.step),()=>n(l.step)),", phase ".concat(l.phase,", ")),l.body!==null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),l.field==="body"?d.append(
 "only in ".concat(l.actual===null?"A":"B")):d.append("".concat(l.field,": ").concat(n0(l.expected,l.expected_hex)," \u2192 ").concat(n0(l.actual,l.actual_hex)));
-let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;u!==null&&d.append(", ".concat(u," ULPs apart")),o.push(d);let h=X("button",{
-type:"button",className:"jump",textContent:"Go to the first difference"});if(h.addEventListener("click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{
-type:"button",className:"jump",textContent:"Go to the first state that differs"});p.addEventListener("click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.
-marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,step:x,body:m})=>X("li",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(
-x),()=>n(x)),", ",Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&
-o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+let u=l.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(l.ulps.toPrecision(3)):l.ulps;u!==null&&d.append(", ".concat(u," ").concat(u===1?"ULP":"ULPs"," apart")),o.
+push(d);let h=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});if(h.addEventListener("click",()=>n(a.step)),o.push(X("p",{},
+h)),c){let p=X("button",{type:"button",className:"jump",textContent:"Go to the first state that differs"});p.addEventListener("click",()=>n(l.step)),o.at(-1).append(
+" ",p)}let f=e.aftermath?.marks??[];f.length>0?o.push(X("ul",{className:"marks"},...f.map(({above:p,step:x,body:m})=>X("li",{},"more than ".concat(An(p)," apart\
+ from "),Pn("step ".concat(x),()=>n(x)),", ",Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(
+e.growth_unknown)})),e.partings&&o.push(o1(e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var a1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d  D","the first difference, the first state that differs"],["/","search"],["n  N","ne\
 xt run of steps found, the one before"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in \
 the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function a0(i,e){let{inputs:t,gaps:n,first_difference:s,

@@ -207,7 +207,7 @@ export function show_difference(body, found, label, go, select) {
     else what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
     // JSON numbers here are doubles: larger counts are not exact.
     const ulps = effect.ulps > Number.MAX_SAFE_INTEGER ? `about ${effect.ulps.toPrecision(3)}` : effect.ulps;
-    if (ulps !== null) what.append(`, ${ulps} ULPs apart`);
+    if (ulps !== null) what.append(`, ${ulps} ${ulps === 1 ? "ULP" : "ULPs"} apart`);
     parts.push(what);
     const jump = element("button", { type: "button", className: "jump", textContent: `Go to the first difference` });
     jump.addEventListener("click", () => go(first.step));
