@@ -40,7 +40,7 @@ struct WorldDef {
 }
 
 struct Box {
-  id @0 :UInt64;                # 1 .. 2^53 - 1, unique in a session
+  id @0 :UInt64;                # 1 .. 2^53 - 1; another box never has it
   size @1 :Vec3;                # m, edge lengths, > 0
   mass @2 :Float64;             # kg, > 0
   isStatic @3 :Bool;

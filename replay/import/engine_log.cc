@@ -6,6 +6,7 @@
 #include "replay/format/chain.h"
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
+#include "replay/import/known_bodies.h"
 #include "replay/log/told_bodies.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -127,7 +128,8 @@ EngineLog::~EngineLog() = default;
 EngineLog::EngineLog(sim::World world, const EngineDef& def)
     : world_(std::move(world)),
       phase_count_(def.phases.size()),
-      values_(std::make_unique<StepValues>(def.declared.channels)) {
+      values_(std::make_unique<StepValues>(def.declared.channels)),
+      known_(std::make_unique<KnownBodies>()) {
   for (const Shape& shape : def.declared.shapes) {
     const Hash128 hash = hash_of(shape);
     shapes_.emplace(hash.high, hash.low);
@@ -140,19 +142,15 @@ Error EngineLog::at_step(const std::string& message) const {
 
 Status EngineLog::input(const sim::Command& command) {
   if (!told_.empty()) return at_step("found an input after a state, wanted the inputs of a step before its states");
-  const auto* thrown = std::get_if<sim::Throw>(&command);
-  Status applied;
-  if (thrown != nullptr) {
+  if (Status ok = known_->see(command, world_.bodies()); !ok.ok()) return at_step(ok.error().message);
+  sim::Command awake = command;  // the other engine decides what rests; no contacts are searched
+  if (auto* thrown = std::get_if<sim::Throw>(&awake)) {
     Status turned = check_rotation(thrown->box.id, thrown->box.orientation, EngineState::kLengthOffMax);
     if (!turned.ok()) return at_step(turned.error().message);
-    sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
-    awake.box.frozen = false;
-    applied = sim::apply(world_, awake);
-    if (applied.ok()) put_state(world_.mutable_state().bodies, thrown->box);
-  } else {
-    applied = sim::apply(world_, command);
+    thrown->box.frozen = false;
   }
-  if (!applied.ok()) return at_step(applied.error().message);
+  if (Status ok = sim::apply(world_, awake); !ok.ok()) return at_step(ok.error().message);
+  if (const auto* thrown = std::get_if<sim::Throw>(&command)) put_state(world_.mutable_state().bodies, thrown->box);
   inputs_.push_back(command);
   return {};
 }
@@ -184,7 +182,7 @@ Status EngineLog::set_values(StepValues& values) {
 Status EngineLog::add_contact(const EngineContact& contact) {
   if (contact.a == 0 || contact.a > sim::kBodyIdMax || contact.b > sim::kBodyIdMax) {
     return at_step("found a contact of bodies " + std::to_string(contact.a) + " and " + std::to_string(contact.b) +
-                   ", wanted a body first, and a body or 0 (the world) second");
+                   ", wanted a body first, and a body or 0 (the ground) second");
   }
   if (extras_.contacts.size() >= kContactsPerStepMax) {
     return at_step("found more than " + std::to_string(kContactsPerStepMax) + " contacts");
@@ -222,6 +220,7 @@ Status EngineLog::describe_body(const BodyInfo& info, const Shape* shape) {
   if (info.shape != Hash128() && !shapes_.contains({info.shape.high, info.shape.low})) {
     return at_step("body " + std::to_string(info.id) + ": found the hash of no shape that was given");
   }
+  if (Status ok = known_->describe(info); !ok.ok()) return at_step(ok.error().message);
   extras_.bodies.push_back(info);
   return {};
 }

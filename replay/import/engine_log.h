@@ -23,6 +23,7 @@
 /// docs/other_engines.md has a tutorial. engine_log_c.h is the interface for C.
 namespace tumble::replay {
 
+class KnownBodies;
 class StepValues;
 
 /// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the
@@ -78,7 +79,8 @@ class EngineLog {
                                                    const sim::SceneDef& start);
 
   /// Records an input that changes the bodies before the coming step. Inputs of a step come before its states. Errors
-  /// (kBadInput): an unknown or taken id, a value beyond the limits, an input after a state.
+  /// (kBadInput): an unknown or taken id, the id of a removed body for one of another size, mass or material, a value
+  /// beyond the limits, an input after a state.
   Status input(const sim::Command& command);
 
   /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id; no
@@ -102,7 +104,7 @@ class EngineLog {
 
   /// Names a body that appears in the coming step, and gives it a shape. A shape that is neither declared nor given
   /// before goes to `shape`; BodyInfo::shape must be its hash, or zero. Errors (kBadInput): as check_body_info(),
-  /// check_shape(); a hash of no shape.
+  /// check_shape(); a hash of no shape; another name or shape than the body of this id had before.
   Status describe_body(const BodyInfo& info, const Shape* shape = nullptr);
 
   /// Sets the phase hashes of the coming step: one word per phase, or one row of such words per substep. Errors
@@ -137,9 +139,10 @@ class EngineLog {
   sim::World world_;  // applies the inputs; takes no steps
   std::size_t phase_count_;
   std::unique_ptr<LogWriter> writer_;
-  std::vector<sim::Command> inputs_;                          // of the coming step
-  std::vector<std::uint64_t> phase_words_;                    // of the coming step
-  std::unique_ptr<StepValues> values_;                        // of the coming step
+  std::vector<sim::Command> inputs_;        // of the coming step
+  std::vector<std::uint64_t> phase_words_;  // of the coming step
+  std::unique_ptr<StepValues> values_;      // of the coming step
+  std::unique_ptr<KnownBodies> known_;
   std::set<std::pair<std::uint64_t, std::uint64_t>> shapes_;  // hashes of those that the log holds
   Extras extras_;                                             // of the coming step, but the values
   std::vector<std::uint8_t> told_;  // one flag per row: the state was set; empty before the first

@@ -41,7 +41,7 @@ typedef struct TumbleLogState {
 } TumbleLogState;
 
 typedef struct TumbleLogBody {
-  uint64_t id;    /* 1 … 2^53 - 1, never used again */
+  uint64_t id;    /* 1 … 2^53 - 1; of a removed body: only for the same one, which comes back */
   double size[3]; /* m, edge lengths of its box */
   double mass;    /* kg */
   int is_static;
@@ -79,7 +79,7 @@ typedef enum TumbleLogScope {
 } TumbleLogScope;
 
 typedef struct TumbleLogContact {
-  uint64_t a, b;      /* ids; b 0: the world */
+  uint64_t a, b;      /* ids; b 0: the ground */
   double position[3]; /* m, world */
   double normal[3];   /* from a to b */
   double depth;       /* m; above 0: the bodies overlap */

@@ -86,7 +86,7 @@ namespace {
 
 std::string place_of(std::uint64_t step, sim::BodyId a, sim::BodyId b) {
   return "step " + std::to_string(step) + ", contact of " + std::to_string(a) + " and " +
-         (b == 0 ? "the world" : std::to_string(b)) + ": ";
+         (b == 0 ? "the ground" : std::to_string(b)) + ": ";
 }
 
 }  // namespace

@@ -265,6 +265,8 @@ struct TumbleRec {
   size_t body_count, body_room;
   uint32_t* slots; /* by hash of id: 1 + place of a body, 0 free */
   size_t slot_count;
+  uint64_t* used; /* ids of bodies that were forgotten, by hash; 0: free */
+  size_t used_count, used_room;
   size_t hint;
   size_t moving, moving_told; /* bodies that need a state in this step */
   size_t woken, slept;        /* of those told in this step */
@@ -1236,12 +1238,44 @@ static int index_bodies(TumbleRec* rec, size_t count) {
   return 1;
 }
 
-/* Forgets bodies whose removal no rewind can undo, and those that `added` after a step. */
+static uint64_t* used_slot(uint64_t* used, size_t room, uint64_t id) {
+  size_t slot = (size_t)(hash_round(0, id) >> 20) & (room - 1);
+  while (used[slot] != 0 && used[slot] != id) slot = (slot + 1) & (room - 1);
+  return &used[slot];
+}
+
+static int was_used(const TumbleRec* rec, uint64_t id) {
+  return rec->used_room != 0 && *used_slot(rec->used, rec->used_room, id) == id;
+}
+
+static int remember_id(TumbleRec* rec, uint64_t id) {
+  if (2 * rec->used_count + 2 > rec->used_room) {
+    const size_t room = rec->used_room == 0 ? 64 : 2 * rec->used_room;
+    uint64_t* used = (uint64_t*)calloc(room, sizeof *used);
+    size_t k;
+    if (used == NULL) {
+      fail(rec, TUMBLE_REC_NO_MEMORY, "found no memory for the ids of %lu bodies", (unsigned long)room);
+      return 0;
+    }
+    for (k = 0; k < rec->used_room; ++k) {
+      if (rec->used[k] != 0) *used_slot(used, room, rec->used[k]) = rec->used[k];
+    }
+    free(rec->used);
+    rec->used = used;
+    rec->used_room = room;
+  }
+  *used_slot(rec->used, rec->used_room, id) = id;
+  ++rec->used_count;
+  return 1;
+}
+
+/* Forgets bodies whose removal no rewind can undo, but for their ids, and those that `added` after a step. */
 static int drop_bodies(TumbleRec* rec, uint64_t added_max) {
   size_t k, kept = 0;
   for (k = 0; k < rec->body_count; ++k) {
     Body* body = &rec->bodies[k];
-    if ((body->gone && body->removed_at + rec->def.rollback_steps < rec->step) || body->added > added_max) {
+    const int is_over = body->gone && body->removed_at + rec->def.rollback_steps < rec->step;
+    if (is_over ? remember_id(rec, body->id) : body->added > added_max) {
       free(body->record);
     } else {
       rec->bodies[kept++] = *body;
@@ -1249,7 +1283,7 @@ static int drop_bodies(TumbleRec* rec, uint64_t added_max) {
   }
   rec->body_count = kept;
   rec->hint = 0;
-  return index_bodies(rec, kept);
+  return index_bodies(rec, kept) && rec->status == TUMBLE_REC_OK;
 }
 
 static Body* new_body(TumbleRec* rec, uint64_t id) {
@@ -1609,7 +1643,7 @@ TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body) {
   if (!may_input(rec, "a body")) return leave(rec, rec->status);
   if (body == NULL) return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found NULL, wanted a body"));
   name = body->name != NULL ? strlen(body->name) : 0;
-  if (body->id == 0 || body->id > ID_MAX || find_body(rec, body->id) != NULL) {
+  if (body->id == 0 || body->id > ID_MAX || find_body(rec, body->id) != NULL || was_used(rec, body->id)) {
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
                            "found body %" PRIu64 ", wanted an id of 1 to 2^53 - 1 that no body had", body->id));
   }
@@ -2236,7 +2270,7 @@ TumbleRecStatus tumble_rec_close(TumbleRec* rec) {
   if (rec->verify.file != NULL) fclose(rec->verify.file);
   for (k = 0; k < rec->body_count; ++k) free(rec->bodies[k].record);
   for (k = 0; k < kRingParts + 2; ++k) free(rec->ring[k].bytes.at);
-  free(rec->bodies), free(rec->slots), free(rec->channels), free(rec->told), free(rec->phase_names);
+  free(rec->bodies), free(rec->slots), free(rec->used), free(rec->channels), free(rec->told), free(rec->phase_names);
   close_tail(rec);
   free(rec->frame.at), free(rec->head.at), free(rec->header.at), free(rec->pending.at), free(rec->meshes.at);
   free(rec->tail.path), free(rec->verify.tail_path);

@@ -40,6 +40,35 @@ TEST(Refusals, ASecondValueOfOneChannelAndBodyInAStep) {
       << message;
 }
 
+// Also long after its removal: the recorder forgets the body, not the id.
+TEST(Refusals, AnIdThatABodyHad) {
+  constexpr std::uint64_t kBodies = 200, kSteps = 600;
+  std::string message;
+  (void)record(1, 0, [&](TumbleRec* rec) {
+    for (std::uint64_t id = 2; id <= kBodies; ++id) {
+      const TumbleRecBody body = small_cube(id);
+      ASSERT_EQ(tumble_rec_body(rec, &body), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    }
+    for (std::uint64_t k = 1; k <= kSteps; ++k) {
+      if (k == 2) {
+        for (std::uint64_t id = 2; id <= kBodies; ++id) ASSERT_EQ(tumble_rec_remove(rec, id), TUMBLE_REC_OK);
+      }
+      ASSERT_EQ(tumble_rec_step_begin(rec, 0.0625), TUMBLE_REC_OK);
+      for (std::uint64_t id = 1; id <= (k == 1 ? kBodies : 1); ++id) {
+        const TumbleRecState state = state_at(id, 1);
+        ASSERT_EQ(tumble_rec_state(rec, id, &state), TUMBLE_REC_OK);
+      }
+      ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+    }
+    const TumbleRecBody again = small_cube(150), fresh = small_cube(kBodies + 1);
+    EXPECT_EQ(tumble_rec_body(rec, &fresh), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    EXPECT_EQ(tumble_rec_body(rec, &again), TUMBLE_REC_BAD_CALL);
+    message = tumble_rec_message(rec);
+  });
+  EXPECT_NE(message.find("step 601: found body 150, wanted an id of 1 to 2^53 - 1 that no body had"), std::string::npos)
+      << message;
+}
+
 TEST(Refusals, ManyValuesOfAStepAreKeptApart) {
   const auto imported = import_bytes(record(200, 1, [](TumbleRec* rec) {
     std::uint32_t channels[8];
@@ -142,7 +171,7 @@ TEST(Refusals, AContactWithoutPointsIsNamedByTheImport) {
   }));
   ASSERT_TRUE(imported.ok()) << imported.error().message;
   EXPECT_TRUE(mentions(imported->import.warnings,
-                       "step 2, contact of 1 and the world: has no points, so the log does not hold it"));
+                       "step 2, contact of 1 and the ground: has no points, so the log does not hold it"));
 }
 
 /// Two steps with `channels` channels of `numbers` numbers a value.

@@ -91,6 +91,42 @@ TEST(EngineLogRefusal, OfASecondStateOfABodyInAStep) {
       << twice.error().message;
 }
 
+// Pictures, exports and metrics know a body by its id alone.
+TEST(EngineLogRefusal, OfAnotherBodyWithTheIdOfARemovedOne) {
+  const auto taken_back = [](const sim::BoxDef& box, const std::string& name = "ball") {
+    const auto made = log_of(cube(1));
+    EngineLog& log = **made;
+    EXPECT_TRUE(log.describe_body({1, "ball", {}}).ok());
+    EXPECT_TRUE(log.set_state(1, {}).ok());
+    EXPECT_TRUE(log.end_step(0.01).ok());
+    EXPECT_TRUE(log.input(sim::Remove{1}).ok());
+    EXPECT_TRUE(log.end_step(0.01).ok());
+    Status told = log.input(sim::Throw{box});
+    if (told.ok()) told = log.describe_body({1, name, {}});
+    return told.ok() ? std::string("taken") : told.error().message;
+  };
+  EXPECT_EQ(taken_back(cube(1)), "taken") << "it comes back";
+  sim::BoxDef other = cube(1);
+  other.position = {4, 5, 6};
+  other.velocity = {1, 2, 3};
+  EXPECT_EQ(taken_back(other), "taken") << "it comes back elsewhere";
+  other.mass = 2;
+  EXPECT_NE(taken_back(other).find("step 3: body 1: was removed before and comes back with another mass"),
+            std::string::npos)
+      << taken_back(other);
+  other = cube(1);
+  other.size.x() += 0.1;
+  EXPECT_NE(taken_back(other).find("another size"), std::string::npos);
+  other = cube(1);
+  other.is_static = true;
+  EXPECT_NE(taken_back(other).find("another kind"), std::string::npos);
+  other = cube(1);
+  other.material.restitution += 0.1;
+  EXPECT_NE(taken_back(other).find("another material"), std::string::npos);
+  EXPECT_NE(taken_back(cube(1), "crate").find("step 3: body 1: was removed before and comes back with another name"),
+            std::string::npos);
+}
+
 TEST(EngineLogRefusal, OfValuesAndContactsOfBodiesThatDoNotExist) {
   sim::SceneDef start;
   start.boxes = {cube(1), cube(2)};
