@@ -90,12 +90,16 @@ Result<Suite> open_suite(const fs::path& root) {
   return suite;
 }
 
+// A name that began with '-' would be an option in every command that a report prints.
 Status check_case_name(const std::string& name) {
-  const bool right = !name.empty() && name.size() <= kNameLengthMax && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
+  const bool begins = !name.empty() && !name.starts_with('-');
+  const bool right =
+      begins && name.size() <= kNameLengthMax && std::ranges::all_of(name, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+      });
   if (right) return {};
-  return bad_input("found " + in_quotes(name) + " as a case's name, wanted letters, digits, '_' and '-'");
+  return bad_input("found " + in_quotes(name) +
+                   " as a case's name, wanted letters, digits, '_' and '-', and no '-' first");
 }
 
 std::vector<std::string> folder_problems(const CaseFolder& folder) {

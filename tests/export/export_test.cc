@@ -222,6 +222,11 @@ TEST(Export, ATextThatIsNoUtf8HasNoPlaceInAnArchive) {
   expect_error(shop.run({"export", "t.tumble", "-o", "t.npz"}), 2, "a text that is no UTF-8");
   EXPECT_EQ(shop.run({"export", "t.tumble", "-o", "t.npz", "--steps", "0:0"}).exit, 0);
   EXPECT_EQ(shop.run({"export", "t.tumble", "-o", "back.csv"}).exit, 0);
+  const Outcome scene = shop.run({"export", "t.tumble", "-o", "t.mcap"});  // has bytes, too
+  EXPECT_EQ(scene.exit, 0) << scene.err;
+  EXPECT_EQ(scene.err, "");
+  EXPECT_NE(scene.out.find("the kind of 1 text in channels, no UTF-8: bytes in their place"), std::string::npos)
+      << scene.out;
 }
 
 /// numpy alone reads the archive; every number is the one of `dump`, to the bit.

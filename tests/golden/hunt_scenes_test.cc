@@ -24,6 +24,15 @@ namespace {
 using hunt::Judgement;
 using hunt::TextScene;
 
+// A scene of a folder has a title of its own.
+TEST(HuntScenes, AreWrittenWithAnyTitle) {
+  sim::SceneDef scene = hunt::random_scene(7, 1);
+  scene.title = R"(a "quoted" title \ with a 'slash' # and more)";
+  const Result<TextScene> text = hunt::settled(scene);
+  ASSERT_TRUE(text.ok()) << text.error().message;
+  EXPECT_EQ(text->scene.title, scene.title);
+}
+
 // The scene of a seed and a number is part of every report: whoever changes the grammar raises kGrammar.
 TEST(HuntScenes, AreThoseOfTheGrammarsVersion) {
   Hasher hasher;

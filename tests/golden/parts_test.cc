@@ -21,6 +21,12 @@
 namespace tumble::golden {
 namespace {
 
+// The commands that a report prints would take it for an option.
+TEST(CaseNames, BeginWithNoDash) {
+  for (const char* name : {"a", "_a", "9", "a-b"}) EXPECT_TRUE(check_case_name(name).ok()) << name;
+  for (const char* name : {"-a", "--", "-", "", "a b"}) EXPECT_FALSE(check_case_name(name).ok()) << name;
+}
+
 TEST(Canaries, AreAllCaughtByTheJudge) {
   const CanaryRoll roll = run_canaries();
   EXPECT_EQ(roll.results().size(), roll.names().size());

@@ -140,6 +140,7 @@ TEST(HuntAnswers, NoArgumentIsIgnored) {
   expect_refused(judge, {"--folder", "kept"});
   expect_refused(judge, {"--merge", "other"});
   expect_refused(merge, {"--engine"});
+  expect_refused(merge, {"--folder", "kept"});
   expect_refused(merge, {"--relation", "slope"});
   expect_refused(merge, {"--against", TUMBLE_PROGRAM});
 }

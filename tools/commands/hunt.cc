@@ -146,6 +146,9 @@ Result<Exit> tell(const HuntCommand& options, const hunt::HuntState& state) {
 }
 
 Result<Exit> merge(const HuntCommand& options) {
+  if (!options.corpus.empty() && !options.folder.empty()) {
+    return bad_input("--merge: found both --corpus and --folder, wanted --corpus for corpora or --folder for shards");
+  }
   if (!options.corpus.empty()) return merge_corpora(options);
   if (options.folder.empty()) {
     return bad_input(

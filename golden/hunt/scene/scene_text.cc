@@ -19,6 +19,15 @@ std::string text_of(const Vec3& v) { return "[" + exact(v.x()) + ", " + exact(v.
 std::string text_of(const Quat& q) {
   return "[" + exact(q.w) + ", " + exact(q.x) + ", " + exact(q.y) + ", " + exact(q.z) + "]";
 }
+// A text of one line, as the reader of scenes takes it, as a basic string of TOML.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
 std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(std::uint64_t value) { return std::to_string(value); }
 
@@ -105,9 +114,9 @@ void put_ground_material(std::string& out, const Material& material) {
 }  // namespace
 
 std::string scene_text(const sim::SceneDef& scene) {
-  std::string out = "name = \"" + scene.name + "\"\n";
-  if (!scene.title.empty() && scene.title != scene.name) out += "title = \"" + scene.title + "\"\n";
-  if (!scene.category.empty() && scene.category != "session") out += "category = \"" + scene.category + "\"\n";
+  std::string out = "name = " + quoted(scene.name) + "\n";
+  if (!scene.title.empty() && scene.title != scene.name) out += "title = " + quoted(scene.title) + "\n";
+  if (!scene.category.empty() && scene.category != "session") out += "category = " + quoted(scene.category) + "\n";
   put_world(out, scene);
   put_ground_material(out, scene.world.ground_material);
   for (const sim::BoxDef& box : scene.boxes) {

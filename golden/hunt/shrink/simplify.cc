@@ -1,10 +1,11 @@
 #include "golden/hunt/shrink/simplify.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include "replay/session/boxes_at.h"
 #include "src/base/text.h"
@@ -241,8 +242,9 @@ std::vector<double> fewer_digits(double value) {
   out.push_back(0);
   for (const int digits : {1, 2, 3, 4, 6, 9}) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-    const std::optional<double> shorter = parse_exact(text);
+    const std::to_chars_result end =
+        std::to_chars(std::begin(text), std::end(text), value, std::chars_format::scientific, digits - 1);
+    const std::optional<double> shorter = parse_exact(std::string_view(std::begin(text), end.ptr));
     if (shorter && exact(*shorter).size() < length) out.push_back(*shorter);
   }
   return out;

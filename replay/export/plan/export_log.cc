@@ -20,6 +20,7 @@ Status find_rows(const ExportPlan& plan, const StepRecord& record, std::size_t i
     const ExportBody& body = plan.bodies[i];
     while (row < ids.size() && ids[row] < body.box.id) ++row;
     const bool there = row < ids.size() && ids[row] == body.box.id;
+    if (there && !body.at(index) && std::ranges::binary_search(plan.undefined, body.box.id)) continue;
     if (there != body.at(index)) {
       return damaged(plan.log_name + ": " + plan.place(i, record.step) +
                      (there ? ": has a state, but no input adds it" : ": has no state, and no input removes it"));

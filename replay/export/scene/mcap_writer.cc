@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "replay/export/plan/utf8_text.h"
 #include "replay/export/scene/foxglove_scene.h"
 #include "replay/export/scene/mcap_file.h"
 #include "src/base/text.h"
@@ -76,7 +77,13 @@ class McapWriter : public ExportWriter {
     return {};
   }
 
-  Status finish() override { return mcap_.finish(); }
+  Status finish() override {
+    if (raw_texts_ > 0) {
+      left_out_.push_back("the kind of " + count_text(raw_texts_, "text") +
+                          " in channels, no UTF-8: bytes in their place");
+    }
+    return mcap_.finish();
+  }
 
  private:
   std::uint16_t add_channel(const Message& message, const std::string& topic) {
@@ -180,11 +187,9 @@ class McapWriter : public ExportWriter {
       if (const auto* number = std::get_if<std::int64_t>(&value)) to.set_int64(*number);
       if (const auto* number = std::get_if<std::uint64_t>(&value)) to.set_uint64(*number);
       if (const auto* text = std::get_if<std::string>(&value)) {
-        if (kind == ChannelKind::kText) {
-          to.set_text(*text);
-        } else {
-          to.set_bytes(*text);
-        }
+        const bool as_text = kind == ChannelKind::kText && is_utf8(*text);  // a Protobuf string holds nothing else
+        as_text ? to.set_text(*text) : to.set_bytes(*text);
+        if (kind == ChannelKind::kText && !as_text) ++raw_texts_;
       }
     }
     if (values_.values_size() == 0) return {};
@@ -202,7 +207,8 @@ class McapWriter : public ExportWriter {
   std::vector<std::uint16_t> channels_;  // by index in Declared::channels
   std::vector<bool> there_;              // the bodies of the step before
   bool scene_sent_ = false;
-  std::uint64_t time_ = 0;  // ns
+  std::uint64_t time_ = 0;       // ns
+  std::uint64_t raw_texts_ = 0;  // that are no UTF-8
   foxglove::FrameTransforms transforms_;
   foxglove::PosesInFrame poses_;
   Bodies bodies_;

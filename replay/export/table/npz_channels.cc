@@ -5,24 +5,15 @@
 #include <cstring>
 #include <utility>
 
+#include "replay/export/plan/utf8_text.h"
 #include "replay/export/table/npz_texts.h"
 #include "replay/export/table/table_frame.h"
 #include "src/base/text.h"
-#include "src/base/utf8.h"
 
 namespace tumble::replay {
 namespace {
 
 constexpr std::uint64_t kTextBytesMax = std::uint64_t{64} << 20U;  // of the array of a channel's different texts
-
-bool is_utf8(const std::string& text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = utf8_at(text, at).length;
-    if (length == 0) return false;
-    at += length;
-  }
-  return true;
-}
 
 bool is_text(ChannelKind kind) { return !is_number(kind); }
 
