@@ -61,7 +61,7 @@ struct Rows {
   counts @0 :Data;              # stepCount x UInt32: rows of each step
   sameBodies @1 :Data;          # stepCount x UInt8; 1: count and bodies are those of the step before
   bodyA @2 :Data;               # UInt64, differences, planes; of steps with sameBodies 0
-  bodyB @3 :Data;               # likewise; 0 in contacts: the world
+  bodyB @3 :Data;               # likewise; 0 in contacts: the ground
 }
 
 struct ChannelValues {

@@ -24,7 +24,7 @@ std::string found_in(const py::handle& value) {
 std::string shape_text(const py::array& array) {
   std::string text = "shape (";
   for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
-  return text + ")";
+  return text + (array.ndim() == 1 ? ",)" : ")");  // as Python writes it
 }
 
 py::array any_array(const py::handle& value, const std::string& name) {
@@ -74,6 +74,7 @@ std::vector<double> doubles_of(const py::handle& value, const std::string& name,
   const bool one_column = columns == 1 && array.ndim() == 1 && is(array.shape(0), rows);
   const bool table = array.ndim() == 2 && is(array.shape(0), rows) && is(array.shape(1), columns);
   if (!one_row && !one_column && !table) {
+    if (rows == 1 && columns > 1) refuse(name, found_in(value), std::to_string(columns) + " numbers");
     const std::string wanted = columns == 1 ? "(" + std::to_string(rows) + ",)"
                                             : "(" + std::to_string(rows) + ", " + std::to_string(columns) + ")";
     refuse(name, shape_text(array), "shape " + wanted);

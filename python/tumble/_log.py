@@ -11,6 +11,18 @@ from ._errors import BadInput
 from ._values import Body, Named, input_of, path_bytes
 
 
+class _Counters(numpy.ndarray):
+    """A structured array whose missing fields are told from those there are."""
+
+    def __getitem__(self, index):
+        names = self.dtype.names
+        if not isinstance(index, str) or names is None:
+            return super().__getitem__(index)
+        if index not in names:
+            raise KeyError(f"no counter: found {index!r}, wanted {', '.join(map(repr, names))}")
+        return super().__getitem__(index).view(numpy.ndarray)
+
+
 class Log:
     """A recorded session. ``Log(path)`` opens it; damage behind the header shows only where it is read.
 
@@ -159,7 +171,7 @@ class Log:
         for name, column in columns.items():
             table[name] = column
         table.flags.writeable = False
-        return table
+        return table.view(_Counters)
 
     @property
     def time(self):

@@ -2,7 +2,7 @@
 
 from types import MappingProxyType
 
-from ._values import Contact, input_of
+from ._values import Contact, Named, input_of
 
 
 class Step:
@@ -90,7 +90,8 @@ class Step:
         kinetic, potential and inputs. None for the first state of a log, which no step made."""
         if self.step == self._log.first_step:
             return None
-        return MappingProxyType(self._data.counters(self._log._file))
+        counters = Named(f"counter of step {self.step}", self._data.counters(self._log._file))
+        return MappingProxyType(counters)
 
     @property
     def phase_hashes(self):

@@ -181,7 +181,7 @@ std::string describe(const Divergence& d) {
   if (d.body) text += ", body " + std::to_string(*d.body);
   if (d.pair) {
     text += ", pair " + std::to_string(d.pair->first) + " and " +
-            (d.pair->second == 0 ? "the world" : std::to_string(d.pair->second));
+            (d.pair->second == 0 ? "the ground" : std::to_string(d.pair->second));
   }
   if (!d.names.empty()) text += " (" + d.names + ")";
   if (is_body_missing(d)) {

@@ -20,7 +20,7 @@ namespace tumble::replay {
 /// A contact point of another engine. SI units, z up.
 struct EngineContact {
   sim::BodyId a = 0;               ///< a body
-  sim::BodyId b = 0;               ///< another body; 0: the world
+  sim::BodyId b = 0;               ///< another body; 0: the ground
   sim::Vec3 position = {0, 0, 0};  ///< m, world
   sim::Vec3 normal = {0, 0, 1};    ///< from a to b
   double depth = 0;                ///< m; above 0: the bodies overlap

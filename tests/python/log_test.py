@@ -122,6 +122,11 @@ def test_hashes_counters_and_times(wall):
     for name, value in step.counters.items():
         assert table[39][name] == value, name
     assert log.steps[0].counters is None
+    with pytest.raises(KeyError, match="no counter: found 'knetic', wanted 'step', 'time', .*'kinetic'"):
+        table["knetic"]
+    with pytest.raises(KeyError, match="no counter of step 40: found 'knetic', wanted .*'kinetic'"):
+        step.counters["knetic"]
+    assert type(table["kinetic"]) is numpy.ndarray and table[["step", "dt"]][3]["step"] == 4
     assert log.time.shape == (81,) and log.time[0] == 0
     assert log.time[60] == 60 * log.world["dt"]  # multiplied and not added up, as the program counts
     assert log.chain() == log.chain(80) != log.chain(79)

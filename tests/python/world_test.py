@@ -113,11 +113,12 @@ def test_a_refused_input_harms_nothing():
     for wrong, text in [
         (lambda: world.push(7, (0, 0, 1)), "7"),
         (lambda: world.push(1, (0, 0, numpy.nan)), "impulse"),
-        (lambda: world.push(1, (0, 0)), "impulse: found shape"),
+        (lambda: world.push(1, (0, 0)), r"impulse: found \(0, 0\), wanted 3 numbers"),
         (lambda: world.push("1", (0, 0, 1)), "id: found"),
         (lambda: world.throw(id=1), "1"),
         (lambda: world.throw(mass=-1), "mass"),
         (lambda: world.throw(static=1), "static: found 1, wanted True or False"),
+        (lambda: world.throw(size=(1, 1)), r"size: found \(1, 1\), wanted 3 numbers"),
         (lambda: world.set_dt(0), "dt"),
         (lambda: world.step(-1), "step: found -1"),
     ]:

@@ -97,14 +97,14 @@ TEST(EngineAxes, ContactsThatAreTheFirstDifferenceAreSaidToDiffer) {
   EXPECT_FALSE(says(text.out, "the same")) << text.out;
   EXPECT_EQ(parsed(shop.run({"diff", "a.tumble", "b.tumble", "--json"}))["aftermath"]["contacts_from"], 1);
   const Outcome step = shop.run({"diff", "a.tumble", "b.tumble", "--step", "3"});
-  EXPECT_TRUE(says(step.out, "contacts, pair body 1 (ball) and the world, contact.position.y")) << step.out;
+  EXPECT_TRUE(says(step.out, "contacts, pair body 1 (ball) and the ground, contact.position.y")) << step.out;
   FloatEngine none;
   none.contact_y = std::numeric_limits<double>::quiet_NaN();
   recorded(shop, "c", none);
   recorded(shop, "d", none);
   EXPECT_FALSE(says(shop.run({"diff", "c.tumble", "d.tumble"}).out, "contacts of the engine"));
   const Outcome gone = shop.run({"diff", "a.tumble", "c.tumble"});
-  EXPECT_TRUE(says(gone.out, "1 and the world  (ball and the world)")) << gone.out;
+  EXPECT_TRUE(says(gone.out, "1 and the ground  (ball and the ground)")) << gone.out;
   recorded(shop, "e");
   EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "e.tumble"}).out, "contacts of the engine"));
 }

@@ -74,9 +74,10 @@ TEST(EngineAxes, ContactsThatNoneCanBeAreSaid) {
   const Workshop shop;
   FloatEngine engine;
   engine.normal_length = 7;
-  EXPECT_TRUE(says(recorded(shop, "long", engine), "step 1, contact of 1 and the world: the normal has a length of 7"));
+  EXPECT_TRUE(
+      says(recorded(shop, "long", engine), "step 1, contact of 1 and the ground: the normal has a length of 7"));
   engine.depth = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(says(recorded(shop, "nan", engine), "step 1, contact of 1 and the world: depth is nan"));
+  EXPECT_TRUE(says(recorded(shop, "nan", engine), "step 1, contact of 1 and the ground: depth is nan"));
   shop.write("golden/cases/fall/level.txt", "one ball\n");
   shop.write(
       "golden/cases/fall/metrics.toml",
@@ -85,7 +86,7 @@ TEST(EngineAxes, ContactsThatNoneCanBeAreSaid) {
   (void)shop.run({"bless", "fall", "--reason", "a test"});
   const Outcome checked = shop.run({"check"});
   EXPECT_EQ(checked.exit, 1);
-  EXPECT_TRUE(says(checked.out, "not finite: step 1, contact of 1 and the world: depth is nan")) << checked.out;
+  EXPECT_TRUE(says(checked.out, "not finite: step 1, contact of 1 and the ground: depth is nan")) << checked.out;
 }
 
 TEST(EngineAxes, ABallAtRestIsNotInTheGround) {

@@ -114,7 +114,7 @@ void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence&
     return in_a.empty() ? b.bodies().name(id) : in_a;
   };
   const auto of_pair = [&](sim::BodyId id) {
-    if (id == 0) return std::string("the world");
+    if (id == 0) return std::string("the ground");
     const std::string own = name(id);
     return own.empty() ? std::to_string(id) : own;
   };
@@ -156,7 +156,7 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
     const auto of_names = [&](sim::BodyId id) { return sides.names.contains(id); };
     const bool both = of_names(first.pair->first) && of_names(first.pair->second);
     const std::string ids = std::to_string(first.pair->first) + " and " +
-                            (first.pair->second == 0 ? "the world" : std::to_string(first.pair->second));
+                            (first.pair->second == 0 ? "the ground" : std::to_string(first.pair->second));
     listing.add("  pair", both ? printable(first.names) : ids + names);
   }
   if (replay::is_body_missing(first)) {

@@ -210,7 +210,7 @@ void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& 
   }
   for (const replay::EngineContact& contact : extras.contacts) {
     if (body != 0 && contact.a != body && contact.b != body) continue;
-    const std::string other = contact.b == 0 ? "the world" : bodies.text(contact.b);
+    const std::string other = contact.b == 0 ? "the ground" : bodies.text(contact.b);
     table.add({std::to_string(step), "contact", printable(bodies.text(contact.a) + " and " + other),
                "depth " + rounded(axes.their_metres(contact.depth), axes.unit()) + ", impulse " +
                    rounded(contact.impulse, "N s")});
@@ -237,7 +237,7 @@ void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const rep
     if (row.first && row.first->body) name += ", " + a.bodies().text(*row.first->body);
     if (row.first && row.first->pair) {
       const auto& [one, other] = *row.first->pair;
-      name += ", pair " + a.bodies().text(one) + " and " + (other == 0 ? "the world" : a.bodies().text(other));
+      name += ", pair " + a.bodies().text(one) + " and " + (other == 0 ? "the ground" : a.bodies().text(other));
     }
     std::optional<replay::Divergence> first = row.first;
     if (first) first = in_axes(common_axes(a.header(), b.header()), *std::move(first));
