@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "golden/engine/project.h"
-#include "src/base/shell_word.h"
+#include "src/base/text.h"
 #include "src/process/run_child.h"
 #include "tumble/sim/result.h"
 

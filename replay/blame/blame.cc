@@ -12,7 +12,6 @@
 #include "replay/blame/question.h"
 #include "replay/blame/steps_again.h"
 #include "replay/blame/value_history.h"
-#include "src/base/shell_word.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {

@@ -53,6 +53,9 @@ std::string shortened(std::string_view text);
 /// shortened() in double quotes.
 std::string in_quotes(std::string_view text);
 
+/// A word for a command line that a person may copy: in single quotes where the shell needs them.
+std::string shell_quoted(std::string_view word);
+
 /// "a, b or c".
 std::string list_text(const std::vector<std::string_view>& words);
 
