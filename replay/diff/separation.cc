@@ -42,7 +42,7 @@ class SeparationMeter {
  public:
   SeparationMeter(const SessionSteps& a, const SessionSteps& b, const ChannelMatch* channels) : a_(a), b_(b) {
     if (channels == nullptr) return;
-    compare_contacts_ = channels->contacts;
+    separation_.compares_contacts = channels->contacts;
     for (const SharedChannel& channel : channels->compared) {
       ChannelSeparation& apart = channels_.emplace_back(channel, ChannelSeparation()).second;
       apart.name = channel.name;
@@ -74,14 +74,15 @@ class SeparationMeter {
     const std::array<const std::uint32_t sim::StepCounters::*, 3> counts = {
         &sim::StepCounters::pairs, &sim::StepCounters::contacts, &sim::StepCounters::substeps};
     for (const auto count : counts) {
-      if (in_a.counters.*count != in_b.counters.*count) note(separation_.contacts_from);
+      if (separation_.compares_contacts && in_a.counters.*count != in_b.counters.*count)
+        note(separation_.contacts_from);
     }
-    if (compare_contacts_ && !same_contacts(in_a.extras.contacts, in_b.extras.contacts)) {
+    if (separation_.compares_contacts && !same_contacts(in_a.extras.contacts, in_b.extras.contacts)) {
       note(separation_.contacts_from);
     }
     for (const StepRecord* record : {&in_a, &in_b}) {
       const bool had_any = record->counters.pairs > 0 || record->counters.contacts > 0;
-      const bool told = compare_contacts_ && !record->extras.contacts.empty();
+      const bool told = separation_.compares_contacts && !record->extras.contacts.empty();
       separation_.had_contacts = separation_.had_contacts || had_any || told;
       separation_.contacts_by_value = separation_.contacts_by_value || told;
     }
@@ -158,7 +159,6 @@ class SeparationMeter {
   const SessionSteps& a_;
   const SessionSteps& b_;
   std::vector<std::pair<SharedChannel, ChannelSeparation>> channels_;
-  bool compare_contacts_ = true;  // two engines' own contacts mean different things
   SeparationRow row_;
   std::size_t next_mark_ = 0;
   Separation separation_;

@@ -71,6 +71,7 @@ struct Separation {
   std::optional<LostBody> lost;             ///< the first one
   std::vector<ChannelSeparation> channels;  ///< those that differ in any step
   // What there was to compare in any step of either session.
+  bool compares_contacts = true;   ///< else none, not even by number: two engines count them otherwise
   bool had_contacts = false;       ///< pairs or contacts
   bool contacts_by_value = false;  ///< contacts of an engine, compared in every bit; else by their number alone
   bool had_frozen = false;

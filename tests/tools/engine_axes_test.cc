@@ -109,6 +109,22 @@ TEST(EngineAxes, ContactsThatAreTheFirstDifferenceAreSaidToDiffer) {
   EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "e.tumble"}).out, "contacts of the engine"));
 }
 
+// Contacts that nobody told, or that nobody compares, are not said to be none or the same.
+TEST(EngineAxes, ContactsThatAreNotComparedAreSaidToBeSo) {
+  const Workshop shop;
+  FloatEngine silent = heavier(), other = heavier();
+  silent.contact_y = std::numeric_limits<double>::quiet_NaN();
+  other.name = "other";
+  recorded(shop, "a");
+  recorded(shop, "b", other);
+  const std::string two = shop.run({"diff", "a.tumble", "b.tumble"}).out;
+  EXPECT_TRUE(says(two, "contacts                  not compared")) << two;
+  recorded(shop, "c", silent);
+  silent.gravity = -9.83F;
+  recorded(shop, "d", silent);
+  EXPECT_TRUE(says(shop.run({"diff", "c.tumble", "d.tumble"}).out, "contacts                  none in either log"));
+}
+
 TEST(EngineAxes, OneUlpIsOne) {
   const Workshop shop;
   const std::string names =

@@ -16,6 +16,7 @@ inline bool says(const std::string& text, const std::string& words) { return tex
 
 /// One body that falls, 20 steps of 0.01 s, in the engine's axes.
 struct FloatEngine {
+  const char* name = "yup";
   float gravity = -9.81F;       // by which it falls, along y
   double told_gravity = -9.81;  // and what it says
   double told_dt = 0.01;
@@ -36,7 +37,7 @@ struct FloatEngine {
 inline void record(const Workshop& shop, const std::string& name, const FloatEngine& e) {
   const std::string path = shop.path(name + ".tumblestream");
   TumbleRecDef def = {};
-  def.engine = "yup";
+  def.engine = e.name;
   def.path = path.c_str();
   def.precision_bits = 24;
   def.up = e.up;

@@ -25,7 +25,15 @@ const char* kind_of(const replay::Separation& separation) {
 
 std::string since(const std::optional<std::uint64_t>& step, bool had_any) {
   if (step) return "differ from step " + std::to_string(*step) + " on";
-  return had_any ? "the same" : "none in either";
+  return had_any ? "the same" : "none in either log";
+}
+
+/// Contacts of our own sessions are compared by their number alone.
+std::string contacts_text(const replay::Separation& separation) {
+  if (!separation.compares_contacts) return "not compared";
+  const bool by_number = !separation.contacts_from && separation.had_contacts && !separation.contacts_by_value;
+  if (by_number) return "the same in number; their values are not compared";
+  return since(separation.contacts_from, separation.had_contacts);
 }
 
 std::string distance_text(double distance, const char* unit) {
@@ -173,9 +181,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   listing.add("  largest separation", separation_text(separation.largest, sides) + ", step " +
                                           std::to_string(separation.largest.step) + of_both);
   listing.add("  separation at the end", separation_text(separation.rows.back(), sides) + of_both);
-  const bool by_number = !separation.contacts_from && separation.had_contacts && !separation.contacts_by_value;
-  listing.add("  contacts", by_number ? "the same in number; their values are not compared"
-                                      : since(separation.contacts_from, separation.had_contacts));
+  listing.add("  contacts", contacts_text(separation));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from) {
     const std::string alone = only_in_text(separation.rows.back(), sides);
