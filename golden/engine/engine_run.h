@@ -13,8 +13,6 @@
 /// The engine of a project, built and run as a child process.
 namespace tumble::golden {
 
-using tumble::shell_quoted;
-
 /// The files of one run, put in the place of {scene}, {inputs} and {log}. Paths are absolute; empty: there is none.
 struct RunFiles {
   std::string scene;

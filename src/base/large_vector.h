@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <new>
@@ -44,14 +43,19 @@ struct LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-/// Gives a vector n items that will all be written: where it grows, it copies nothing, and gives its memory back first.
+/// Gives a vector room for n items, none of which it keeps where it grows: it copies nothing then, gives its memory
+/// back first, and gets an eighth more than asked for.
+template <class T>
+void reserve_anew(LargeVector<T>& items, std::size_t n) {
+  if (n <= items.capacity()) return;
+  items = LargeVector<T>();
+  items.reserve(n + n / 8);
+}
+
+/// Likewise gives it n items, which will all be written.
 template <class T>
 void resize_anew(LargeVector<T>& items, std::size_t n) {
-  if (n > items.capacity()) {
-    const std::size_t room = std::max(n, items.capacity() + items.capacity() / 2);
-    items = LargeVector<T>();
-    items.reserve(room);
-  }
+  reserve_anew(items, n);
   items.resize(n);
 }
 

@@ -57,8 +57,9 @@ TEST(LargeVector, ResizedAnewHasRoomForSomeMore) {
     resize_anew(items, size);
     EXPECT_EQ(items.size(), size);
   }
-  resize_anew(items, items.size() + 1);
-  EXPECT_GE(items.capacity(), 3 * items.size() / 2 - 2);
+  resize_anew(items, items.capacity() + 1);
+  EXPECT_GE(items.capacity(), items.size() + items.size() / 9);
+  EXPECT_LE(items.capacity(), items.size() + items.size() / 8);
 }
 
 TEST(LargeVector, RefusesMoreThanAnAddressCanCount) {

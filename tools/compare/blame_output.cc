@@ -112,7 +112,7 @@ Json blame_json(const replay::Blame& blame) {
 std::string blame_command(const std::string& log, const replay::Divergence& difference) {
   const bool of_body = difference.body && replay::is_in_state(difference) && !replay::is_body_missing(difference);
   if (!of_body) return "";
-  return "tumble blame " + golden::shell_quoted(log) + " --body " + std::to_string(*difference.body) + " --field " +
+  return "tumble blame " + shell_quoted(log) + " --body " + std::to_string(*difference.body) + " --field " +
          difference.field + " --step " + std::to_string(difference.step) + " --back 5";
 }
 

@@ -116,8 +116,8 @@ void join(Scratch& scratch, unsigned parts) {
   join_lists(scratch.manifold_pieces, lists, scratch.workers, scratch.manifolds, scratch.manifold_points);
   // Nobody knows which worker finds how much in the next step. Memory that is not written takes none of the machine's.
   for (ManifoldList& list : lists) {
-    resize_anew(list.manifolds, scratch.manifolds.size());
-    resize_anew(list.points, scratch.manifold_points.size());
+    reserve_anew(list.manifolds, scratch.manifolds.size());
+    reserve_anew(list.points, scratch.manifold_points.size());
     list.fast_pairs.reserve(scratch.fast.pairs.size());
   }
 }
