@@ -68,6 +68,9 @@ configure_and_build engine engine -DCMAKE_C_COMPILER="$cc" -DCMAKE_DISABLE_FIND_
   { cat "$work/engine.log" >&2; fail 'find_package: the component recorder alone'; }
 "$work/engine/engine" ball.tumblestream || fail 'the engine with the recorder of the installed tree'
 "$tumble" import ball.tumblestream -o ball.tumble >import.log || fail 'import of what the recorder wrote'
+configure_and_build log_in_c log_in_c -DCMAKE_C_COMPILER="$cc" ||
+  { cat "$work/log_in_c.log" >&2; fail 'find_package: a project in C alone that uses the component replay'; }
+"$work/log_in_c/log_in_c" fall.tumble && "$tumble" info fall.tumble >info.log || fail 'the log of an engine in C'
 if configure_and_build unknown engine -DPARTS=kitchen; then fail 'find_package found a component "kitchen"'; fi
 grep -q kitchen "$work/unknown.log" || fail 'find_package does not name the component that it lacks'
 
@@ -118,6 +121,9 @@ if command -v pkg-config >/dev/null; then
   read -ra flags <<<"$(pkg-config --cflags --libs tumble-recorder)"
   "$cc" -std=c99 "$source/engine/main.c" "${flags[@]}" -o pkg/engine
   pkg/engine again.tumblestream
+  read -ra flags <<<"$(pkg-config --cflags --libs tumble-replay)"
+  "$cc" -std=c99 "$source/log_in_c/main.c" "${flags[@]}" -o pkg/log_in_c && pkg/log_in_c again.tumble &&
+    cmp -s fall.tumble again.tumble || fail 'pkg-config: the log of an engine in C'
   cmp -s ball.tumblestream again.tumblestream || fail 'pkg-config: the recorder wrote another stream than by find_package'
 fi
 printf 'installed: program, headers, libraries, manual pages and completions work; final hash %s\n' "$expected"
