@@ -6,6 +6,8 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { eventually, kPatienceMs } from "../report_page/eventually.js";
 import { find_runs, pair_in, parse_query } from "../../golden/report/page/session/search.js";
+import { add_values } from "../../golden/report/page/session/timeline_rows.js";
+import { largest } from "../../golden/report/page/theme.js";
 import { open_page } from "./pages.js";
 import { Sessions } from "./sessions.js";
 
@@ -50,6 +52,8 @@ before(async () => {
   sessions.damage("long.tumble", "damaged.tumble");
   import_values("odd.tumble", "channel.constructor,channel.__proto__", ["1,2", "5,6"]);
   import_values("exact.tumble", "channel.fine,channel.endless,world.count", ["7,1,1", "7.00000004,inf,9007199254740992", "6.99999999,-inf,1e300"]);
+  const heats = Array.from({ length: 13000 }, (_, k) => String(k === 7001 ? 9 : k === 9001 ? -9 : 1));
+  import_values("many_steps.tumble", "channel.heat", heats);
   browser = await chromium.launch({ executablePath: CHROMIUM, timeout: kPatienceMs, args: ["--enable-unsafe-swiftshader"] });
 });
 after(async () => {
@@ -162,4 +166,23 @@ test("channels with the names of quantities, and pairs of names with \" and \"",
   assert.deepEqual(pair_in("plate and nut and bolt", is_body), ["plate", "nut and bolt"]);
   assert.deepEqual(pair_in("1 and 2", () => true), ["1", "2"]);
   assert.deepEqual(pair_in("1", () => true), ["1"]);
+});
+
+test("a page to send that thins its timeline finds the largest values, and says that it has no others", async () => {
+  await both("many_steps.tumble", async (page, kind) => {
+    const note = kind === "sent" ? "; of each 3 steps only the largest value was searched" : "";
+    const at = kind === "sent" ? 6999 : 7001;
+    await search(page, "heat > 5", `1 run of steps, the first at ${at}${note}`);
+    await search(page, "heat < 0", kind === "sent" ? `in no step${note}` : "1 run of steps, the first at 9001");
+  });
+});
+
+test("columns and lists may be longer than a call takes arguments", () => {
+  const many = new Array(300_000).fill(1);
+  many[200_000] = 7;
+  assert.equal(largest(many), 7);
+  assert.equal(largest([]), -Infinity);
+  const column = [];
+  add_values(column, many);
+  assert.equal(column.length, many.length);
 });

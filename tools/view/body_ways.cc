@@ -8,8 +8,8 @@ namespace tumble::tools {
 
 void BodyWays::add(std::uint64_t step, const replay::BodyStates& states) {
   if (taken_++ % stride_ != 0) return;
-  if (steps_.size() == kStepsMax) {  // every second one goes
-    for (std::size_t i = 0; 2 * i < kStepsMax; ++i) {
+  if (steps_.size() == kStepsMax) {                    // every second one goes
+    for (std::size_t i = 1; 2 * i < kStepsMax; ++i) {  // from 1 on: a vector moved into itself would be empty
       steps_[i] = steps_[2 * i];
       places_[i] = std::move(places_[2 * i]);
     }

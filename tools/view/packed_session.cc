@@ -7,11 +7,11 @@
 #include <set>
 #include <utility>
 
-#include "replay/format/not_finite.h"
 #include "replay/view/contact_points.h"
 #include "replay/view/packed_states.h"
 #include "replay/view/timeline.h"
 #include "src/base/check.h"
+#include "tools/view/thinned_rows.h"
 #include "tools/view/view_json.h"
 
 namespace tumble::tools {
@@ -21,32 +21,6 @@ constexpr std::uint64_t kBodyFramesMax = 3'000'000;  // kept in memory while it 
 constexpr std::size_t kTimelineRowsMax = 6000;       // of the timeline
 constexpr std::uint64_t kContactShare = 4;           // contacts may take a quarter of the bytes
 constexpr std::size_t kContactStepsMax = 60;
-
-/// Runs of rows as one row each, which keeps the largest of what stands out.
-std::vector<replay::TimelineRow> thinned(const std::vector<replay::TimelineRow>& rows, std::size_t run) {
-  if (run <= 1) return rows;
-  std::vector<replay::TimelineRow> out;
-  for (std::size_t i = 0; i < rows.size(); i += run) {
-    replay::TimelineRow row = rows[i];
-    for (std::size_t k = i + 1; k < std::min(i + run, rows.size()); ++k) {
-      const replay::TimelineRow& next = rows[k];
-      row.read = row.read && next.read;
-      row.inputs += next.inputs;
-      row.contacts = std::max(row.contacts, next.contacts);
-      row.not_finite = std::max(row.not_finite, next.not_finite);
-      if (next.speed_max > row.speed_max) row.speed_body = next.speed_body;
-      row.speed_max = std::max(row.speed_max, next.speed_max);
-      row.height_max = std::max(row.height_max, next.height_max);
-      row.overlap = replay::largest(row.overlap, next.overlap);
-      if (row.bounds.empty()) row.bounds = next.bounds;
-      for (std::size_t b = 0; b < next.bounds.size(); ++b) {
-        if (next.bounds[b].judged && (!row.bounds[b].judged || !next.bounds[b].holds)) row.bounds[b] = next.bounds[b];
-      }
-    }
-    out.push_back(row);
-  }
-  return out;
-}
 
 class Packer {
  public:
@@ -117,7 +91,7 @@ class Packer {
 
   [[nodiscard]] std::string details_of(const Json& contacts) {
     run_ = rows_.size() / kTimelineRowsMax + 1;
-    const std::vector<replay::TimelineRow> rows = thinned(rows_, run_);
+    const std::vector<replay::TimelineRow> rows = thinned_rows(rows_, run_);
     Json timeline = timeline_json(rows);
     timeline["begun"] = run_ == 1 ? begun_ : Json::array();
     timeline["begun_why_not"] = begun_why_not_;

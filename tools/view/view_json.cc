@@ -51,6 +51,9 @@ Json channels_json(std::span<const replay::TimelineRow> rows) {
   return channels;
 }
 
+/// An infinite value is told: a bound may be broken by it.
+Json bound_value_json(double value) { return std::isinf(value) ? exact_json(value) : short_json(value); }
+
 /// By bound: its values, and 1 for each step up to which it is broken; null where it is not judged.
 Json bounds_json(std::span<const replay::TimelineRow> rows) {
   std::size_t count = 0;
@@ -60,7 +63,7 @@ Json bounds_json(std::span<const replay::TimelineRow> rows) {
     Json values = Json::array(), broken = Json::array();
     for (const replay::TimelineRow& row : rows) {
       const bool judged = b < row.bounds.size() && row.bounds[b].judged;
-      values.push_back(judged && row.bounds[b].value ? short_json(*row.bounds[b].value) : Json(nullptr));
+      values.push_back(judged && row.bounds[b].value ? bound_value_json(*row.bounds[b].value) : Json(nullptr));
       broken.push_back(judged ? Json(row.bounds[b].holds ? 0 : 1) : Json(nullptr));
     }
     bounds.push_back({{"value", values}, {"broken", broken}});

@@ -24,6 +24,10 @@ export function watch_theme(action) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", action);
 }
 
+/// Of numbers without NaN; −Infinity for none. Math.max(...numbers) fails where there are more of them than a browser
+/// takes as arguments.
+export const largest = (numbers) => numbers.reduce((most, one) => (one > most ? one : most), -Infinity);
+
 /// A table by names that may be any: "constructor" is in a plain object without having been put there.
 export const by_name = (entries = {}) => Object.assign(Object.create(null), entries);
 

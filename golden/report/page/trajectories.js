@@ -4,7 +4,7 @@ import { turns_of } from "./viewer/bodies.js";
 import { make_player, Steps } from "./viewer/player.js";
 import { box_around, listen } from "./viewer/pointer.js";
 import { make_stage } from "./viewer/stage.js";
-import { colours, element, metres } from "./theme.js";
+import { colours, element, largest, metres } from "./theme.js";
 
 export const kApartMm = 2;  // nearer than this, millimetres alone can make the difference
 const kSeenShare = 0.05;    // of a body's smallest edge, or of the session's largest distance if that is less
@@ -29,7 +29,7 @@ function distances(data) {
 
 /// From how far apart a body gets a diamond, mm: what cannot be seen would only hide what can.
 function seen_from(data, apart) {
-  const worst = Math.max(0, ...apart.flat());
+  const worst = largest([0, ...apart.flat()]);
   return data.bodies.id.map((_, i) => {
     const edge = 1000 * Math.min(...data.bodies.size.slice(3 * i, 3 * i + 3));
     return Math.max(kApartMm, kSeenShare * Math.min(worst, edge > 0 ? edge : worst));
@@ -55,7 +55,7 @@ function frame_of(data, row, turn) {
 
 /// From frame to frame, for the bodies that went furthest from where they were expected.
 function ways_of(data, rows, apart) {
-  const worst = data.bodies.id.map((_, i) => Math.max(...apart.map((frame) => frame[i] ?? 0)));
+  const worst = data.bodies.id.map((_, i) => largest(apart.map((frame) => frame[i] ?? 0)));
   const chosen = worst.map((_, i) => i).sort((a, b) => worst[b] - worst[a]).slice(0, kWaysMax);
   const points = [];
   for (const i of chosen) {
@@ -105,7 +105,7 @@ function box_of(data) {
   const rows = [...data.frames.actual_mm, ...data.frames.expected_mm].filter((row) => row !== null);
   const places = [0, 1, 2].map((c) => rows.flatMap((row) => row.filter((value, k) => k % 3 === c && value !== null))
     .map((value) => value / 1000));
-  return box_around(places, Math.max(...data.bodies.size, 0.1));
+  return box_around(places, largest([...data.bodies.size, 0.1]));
 }
 
 /// Holds the view only while it is to be seen: browsers keep but a few WebGL contexts.
@@ -197,8 +197,8 @@ export function make_trajectories(section, data, tell_step) {
     element("p", { className: "soft", textContent: "Drag or use the arrow keys to turn, + and - to zoom. " +
       "Lines: the ways of the bodies that went furthest astray." }));
   // Begins where there is most to see.
-  const worst = apart.map((frame) => Math.max(...frame.map((value) => value ?? 0)));
-  player.seek(worst.indexOf(Math.max(...worst)));
+  const worst = apart.map((frame) => largest(frame.map((value) => value ?? 0)));
+  player.seek(worst.indexOf(largest(worst)));
   player.refresh();
   return {
     resize: () => view.resize(),

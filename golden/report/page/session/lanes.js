@@ -1,11 +1,11 @@
 // The lanes of the timeline: what each shows, and how its value at a step reads.
-import { joules, metres } from "../theme.js";
+import { joules, largest, metres } from "../theme.js";
 
 const count = (value) => (value === null || value === undefined ? "–" : String(value));
 const speed = (value) => (value === null || value === undefined ? "–" : `${Number(value.toPrecision(4))} m/s`);
 
-const digits = (value, unit) => (value === null ? "–" : !Number.isFinite(value) ? `${value < 0 ? "−" : ""}infinite`
-  : `${Number(value.toPrecision(6))}${unit ? ` ${unit}` : ""}`);
+const digits = (value, unit, count_of = 6) => (value === null ? "–" : !Number.isFinite(value) ? `${value < 0 ? "−" : ""}infinite`
+  : `${Number(value.toPrecision(count_of))}${unit ? ` ${unit}` : ""}`);
 
 const share_text = (rows, i) => (rows.read[i] ? `${rows.sleeping[i]} of ${rows.bodies[i]}` : "–");
 
@@ -13,7 +13,7 @@ const share_text = (rows, i) => (rows.read[i] ? `${rows.sleeping[i]} of ${rows.b
 /// only where the step was not read. Lanes without a number anywhere are left out.
 export const kLanes = [
   { name: "sleeping", kind: "area", of: (rows, i) => (rows.read[i] ? rows.sleeping[i] : null), words: share_text,
-    top: (rows) => Math.max(1, ...sampled(rows.bodies)) },
+    top: (rows) => largest([1, ...sampled(rows.bodies)]) },
   { name: "contacts", kind: "line", of: (rows, i) => rows.contacts_told(i), words: (rows, i) => count(rows.contacts_told(i)), late: true },
   { name: "contacts begun", kind: "bars", of: (rows, i) => rows.begun[i] ?? null,
     words: (rows, i) => count(rows.begun[i]), late: true },
@@ -39,7 +39,7 @@ export const bound_lanes = (texts) => texts.map((text, b) => ({
     const broken = rows.bounds[b]?.broken[i] ?? null;
     if (broken === null) return "not judged";
     const value = rows.bounds[b].value[i];
-    return `${value === null ? "no value" : Number(value.toPrecision(4))}, ${broken ? "✕ broken" : "✓ holds"}`;
+    return `${value === null ? "no value" : digits(value, "", 4)}, ${broken ? "✕ broken" : "✓ holds"}`;
   },
 }));
 

@@ -12,10 +12,17 @@ function value_text(value, unit) {
   return `${Number(value.toPrecision(4))}${unit ? ` ${unit}` : ""}`;
 }
 
-/// What a page to send compares of single bodies is rounded.
-function rounded({ thin }, unit) {
-  if (!thin || unit === "") return "";
-  return unit === "m" ? `; places are rounded to ${metres(thin.quantum)}` : `; speeds are made of places rounded to ${metres(thin.quantum)}`;
+/// What a page to send searches where it has not every step of the timeline.
+function thinned({ thin }) {
+  return thin && thin.rows_run > 1 ? `; of each ${thin.rows_run} steps only the largest value was searched` : "";
+}
+
+/// What a page to send compares of single bodies is rounded, and of the states that it has.
+function rounded({ head, thin }, unit) {
+  if (!thin) return "";
+  const searched = thin.every > 1 ? `; ${thin.steps.length} of ${head.last - head.first + 1} states were searched` : "";
+  if (unit === "") return searched;
+  return searched + (unit === "m" ? `; places are rounded to ${metres(thin.quantum)}` : `; speeds are made of places rounded to ${metres(thin.quantum)}`);
 }
 
 export function make_search(page) {
@@ -44,7 +51,7 @@ export function make_search(page) {
       page.set_hits([]);
       return [];
     }
-    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), query.unit, timeline_done);
+    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), query.unit, timeline_done, thinned(page.sessions[0]));
   };
   /// Whether nothing can be added to what a search of single bodies has read.
   const asks_finished = (two) => page.sessions.slice(0, two ? 2 : 1).every(({ head }) => head.finished || !page.served);

@@ -1,5 +1,6 @@
 // Where a served page has its sessions from: it asks its server, tumble view, for what it shows.
 import { BodyTable } from "./bodies_table.js";
+import { largest } from "../theme.js";
 import { add_values, TimelineRows } from "./timeline_rows.js";
 
 const kCacheBytes = 160e6;   // of frames
@@ -81,7 +82,7 @@ class ServedSession {
     const reply = await ask("frames", { log: this.log, first, count, stride });
     const frames = frames_in(await reply.arrayBuffer());
     for (const frame of frames) this.keep(frame);
-    const newest = Math.max(...frames.map((frame) => frame.version));
+    const newest = largest(frames.map((frame) => frame.version));
     if (newest > this.bodies.version) await this.fetch_bodies();
   }
 
@@ -172,14 +173,14 @@ class ServedSession {
       const more = await ask_json("timeline", { log: this.log, from: this.rows.count });
       if (more.step.length === 0) break;
       this.rows.append(more);
-      this.rows.events.push(...more.more_inputs);
+      add_values(this.rows.events, more.more_inputs);
       fresh = true;
       if (more.step.length < 4000) break;
     }
     while (this.rows.begun.length < Math.min(news.begun, this.rows.count)) {
       const more = await ask_json("begun", { log: this.log, from: this.rows.begun.length });
       if (more.length === 0) break;
-      this.rows.begun.push(...more);
+      add_values(this.rows.begun, more);
       fresh = true;
     }
     for (const name of ["note", "unread"]) {

@@ -4,7 +4,8 @@ import { by_name } from "../theme.js";
 const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "contacts", "bodies", "sleeping", "lost",
   "speed", "speed_body", "height", "overlap"];
 
-/// Adds a reply's values to a column: numbers, null, and infinite ones as "Infinity", which JSON has no number for.
+/// Adds a reply's values to a column: numbers, null, objects, and infinite numbers as "Infinity", which JSON has none
+/// for. Not by push(...values): a browser takes no call of a hundred thousand arguments.
 export function add_values(column, values) {
   for (const value of values) column.push(typeof value === "string" ? Number(value) : value);
 }
@@ -32,8 +33,8 @@ export class TimelineRows {
     json.bounds.forEach(({ value, broken }, b) => {
       // Rows before the first that was judged have no entry.
       const bound = this.bounds[b] ??= { value: new Array(this.count - value.length).fill(null), broken: new Array(this.count - value.length).fill(null) };
-      bound.value.push(...value);
-      bound.broken.push(...broken);
+      add_values(bound.value, value);
+      add_values(bound.broken, broken);
     });
     json.channels.forEach((values, c) => {
       const { name } = this.channel_heads[c];

@@ -1,5 +1,5 @@
 // What is drawn, and how: the row of controls above the view.
-import { element } from "../theme.js";
+import { element, largest } from "../theme.js";
 
 export function make_toolbar(page) {
   const { drawing } = page;
@@ -17,7 +17,7 @@ export function make_toolbar(page) {
   paint.addEventListener("change", () => {
     drawing.paint = paint.value;
     const { rows } = page.sessions[0];
-    drawing.top_speed = Math.max(0.1, ...rows.speed.map((speed) => Math.min(speed ?? 0, 50)).slice(0, 50000));
+    drawing.top_speed = largest([0.1, ...rows.speed.map((speed) => Math.min(speed ?? 0, 50))]);
     drawing.show();
   });
   const flip_contacts = () => { drawing.with_contacts = !drawing.with_contacts; drawing.show(); };

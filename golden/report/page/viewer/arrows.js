@@ -1,5 +1,6 @@
 // Contacts as arrows along their normals: as long as the square root of their impulse, relative to the largest.
 import { ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3 } from "three";
+import { largest } from "../theme.js";
 
 const kLengthOverDistance = 0.07;  // of the longest arrow, of the camera's distance
 const kShortest = 0.25;            // of the longest
@@ -23,7 +24,7 @@ export function make_arrows(colour, thickness) {
       if (list.length === 0) return;
       const [shafts, tips] = meshes = [shaft, tip].map((part) => new InstancedMesh(part, look, list.length));
       const longest = kLengthOverDistance * distance;
-      const most = Math.max(...list.map((one) => one.impulse), 1e-30);
+      const most = largest([...list.map((one) => one.impulse), 1e-30]);
       const up = new Vector3(0, 1, 0);
       const matrix = new Matrix4();
       list.forEach(({ at, normal, impulse }, i) => {
