@@ -14,8 +14,7 @@ TemporaryFolder::TemporaryFolder(const std::string& prefix, const std::filesyste
   std::error_code error;
   const std::filesystem::path place = within.empty() ? std::filesystem::temp_directory_path(error) : within;
   if (error) return;
-  std::string pattern = (place / (prefix + "-XXXXXX")).string();
-  if (files::make_short_lived_folder(pattern)) path_ = pattern;
+  path_ = files::make_short_lived_folder(place.string(), prefix);
 }
 
 TemporaryFolder::~TemporaryFolder() {

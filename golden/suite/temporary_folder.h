@@ -11,8 +11,9 @@ namespace tumble::golden {
 /// wrong with it, and how to name another.
 Status check_temporary_place();
 
-/// A new folder for temporary files, named PREFIX-XXXXXX in `within` or the system's place for them, removed with this
-/// object, or by the signal that ends the program. The path is empty if no folder could be made.
+/// A new folder for temporary files, named PREFIX-PROCESS-XXXXXX in `within` or the system's place for them, removed
+/// with this object, by the signal that ends the program or, where that was SIGKILL, by the next program that makes a
+/// folder of this prefix there. The path is empty if no folder could be made.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& within = {});

@@ -1,6 +1,7 @@
 #include "src/files/short_lived_folder.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,11 +13,18 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <climits>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "src/files/file_identity.h"
 
 namespace tumble::files {
 namespace {
@@ -26,11 +34,14 @@ struct Row {
   enum State : int { kFree, kTaken, kNamed };
   std::atomic<int> state = kFree;
   pid_t process = 0;
+  int lock = -1;  // the folder, locked
   std::array<char, PATH_MAX> name = {};
 };
 std::array<Row, 16> rows;
 static_assert(std::atomic<int>::is_always_lock_free);
 
+constexpr std::size_t kLetters = 6;  // that mkdtemp() chooses
+constexpr int kTriesMax = 100;
 constexpr int kDepthMax = 32;
 constexpr int kPassesMax = 1000;  // a folder that another process fills faster than this one empties it stays
 
@@ -72,35 +83,97 @@ void remove_entry(int folder, const char* name, int depth) {
 void remove_entry(int folder, const char* name, int /*depth*/) { ::unlinkat(folder, name, AT_REMOVEDIR); }
 #endif
 
-void remember(const std::string& folder) {
+/// A folder, opened and locked against who would remove it as left over; −1 where another holds the lock, or it is
+/// none.
+int locked_folder(const char* name) {
+  const int folder = ::open(name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (folder < 0 || ::flock(folder, LOCK_EX | LOCK_NB) == 0) return folder;
+  ::close(folder);
+  return -1;
+}
+
+/// The process that a folder of this stem was made by; none for another one.
+std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
+  if (!name.starts_with(stem)) return std::nullopt;
+  name.remove_prefix(stem.size());
+  pid_t process = 0;
+  const char* const end = name.data() + name.size();
+  const auto [dash, wrong] = std::from_chars(name.data(), end, process);
+  if (wrong != std::errc() || process <= 0 || dash == end || *dash != '-') return std::nullopt;
+  return static_cast<std::size_t>(end - dash) == kLetters + 1 ? std::optional(process) : std::nullopt;
+}
+
+void remove_left_over(const char* name) {
+  const int folder = locked_folder(name);
+  if (folder < 0) return;
+  struct stat info = {};
+  if (::fstat(folder, &info) == 0 && info.st_uid == ::geteuid()) remove_entry(AT_FDCWD, name, 0);
+  ::close(folder);
+}
+
+void sweep(const std::string& place, std::string_view stem) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(place, error), end; !error && at != end; at.increment(error)) {
+    const std::optional<pid_t> maker = maker_of(at->path().filename().string(), stem);
+    if (maker && ::kill(*maker, 0) != 0 && errno == ESRCH) remove_left_over(at->path().c_str());
+  }
+}
+
+void remember(const std::string& folder, int lock) {
   for (Row& row : rows) {
     int free = Row::kFree;
     if (folder.size() >= row.name.size() || !row.state.compare_exchange_strong(free, Row::kTaken)) continue;
     std::copy_n(folder.c_str(), folder.size() + 1, row.name.begin());
     row.process = ::getpid();
+    row.lock = lock;
     row.state = Row::kNamed;
     return;
   }
+  ::close(lock);
+}
+
+/// A folder that nobody took for left over before it was locked; that can only be a process that does not see this one,
+/// as one of another container.
+bool make_locked(const std::string& pattern, std::string& name, int& lock) {
+  for (int k = 0; k < kTriesMax; ++k) {
+    name = pattern;
+    if (::mkdtemp(name.data()) == nullptr) return false;
+    lock = locked_folder(name.c_str());
+    struct stat info = {};
+    const bool is_ours = lock >= 0 && ::fstat(lock, &info) == 0;
+    if (is_ours && identity_of(name) == FileIdentity{info.st_dev, info.st_ino}) return true;
+    if (lock >= 0) ::close(lock);
+  }
+  errno = EAGAIN;
+  return false;
 }
 
 }  // namespace
 
-bool make_short_lived_folder(std::string& pattern) {
+std::string make_short_lived_folder(const std::string& place, const std::string& prefix) {
+  const std::string stem = prefix + '-';
+  const int errno_before = errno;
+  sweep(place, stem);
+  const std::filesystem::path pattern = std::filesystem::path(place) / (stem + std::to_string(::getpid()) + "-XXXXXX");
   sigset_t all;
   sigset_t before;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_BLOCK, &all, &before);  // no signal comes while the folder is there and nobody knows of it
-  const bool made = ::mkdtemp(pattern.data()) != nullptr;
-  const int error = errno;
-  if (made) remember(pattern);
+  std::string name;
+  int lock = -1;
+  const bool made = make_locked(pattern.string(), name, lock);
+  const int error = made ? errno_before : errno;
+  if (made) remember(name, lock);
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   errno = error;
-  return made;
+  return made ? name : "";
 }
 
 void forget_short_lived_folder(const std::string& folder) {
   for (Row& row : rows) {
-    if (row.state == Row::kNamed && folder == row.name.data()) row.state = Row::kFree;
+    if (row.state != Row::kNamed || folder != row.name.data()) continue;
+    ::close(row.lock);
+    row.state = Row::kFree;
   }
 }
 

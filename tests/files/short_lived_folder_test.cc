@@ -1,12 +1,17 @@
 // Folders that go with the process: what a signal's handler removes, and what it leaves.
 #include "src/files/short_lived_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "tests/files/temporary_place.h"
 
@@ -18,9 +23,9 @@ namespace fs = std::filesystem;
 class ShortLivedFolder : public TemporaryPlace {
  protected:
   [[nodiscard]] fs::path made() const {
-    std::string pattern = path("made-XXXXXX");
-    EXPECT_TRUE(make_short_lived_folder(pattern));
-    return pattern;
+    fs::path folder = make_short_lived_folder(path(""), "made");
+    EXPECT_FALSE(folder.empty());
+    return folder;
   }
 };
 
@@ -63,6 +68,102 @@ TEST_F(ShortLivedFolder, AChildRemovesNoneOfItsParent) {
   EXPECT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(fs::exists(folder / "a"));
   forget_short_lived_folder(folder.string());
+}
+
+/// Runs `work` in a process of its own that ends as one does that was killed: nothing is removed.
+template <class Work>
+pid_t killed_after(Work work) {
+  const pid_t child = ::fork();
+  EXPECT_GE(child, 0);
+  if (child == 0) {
+    work();
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  return child;
+}
+
+/// wait() lasts until every other process that has the gate opens it or ends.
+class Gate {
+ public:
+  Gate() { EXPECT_EQ(::pipe(ends_.data()), 0); }
+  ~Gate() { open(); }
+  Gate(const Gate&) = delete;
+  Gate& operator=(const Gate&) = delete;
+  void wait() {
+    ::close(ends_[1]);
+    char none = 0;
+    EXPECT_EQ(::read(ends_[0], &none, 1), 0);
+  }
+  void open() {
+    for (int& end : ends_) {
+      if (end >= 0) ::close(end);
+      end = -1;
+    }
+  }
+
+ private:
+  std::array<int, 2> ends_ = {-1, -1};
+};
+
+TEST_F(ShortLivedFolder, WhatAKilledProcessLeftGoesWithTheNextFolder) {
+  const pid_t killed = killed_after([&] { fill(made()); });
+  ASSERT_EQ(count(), 1U);
+  const std::string maker = "made-" + std::to_string(killed);
+  fill(path("kept"));
+  fs::create_directory_symlink(path("kept"), path(maker + "-linked"));
+  write(maker + "-a_file", "");
+  for (const std::string& name : {maker + "-abcde", maker + "-abcdefg", maker, std::string("made--abcdef"),
+                                  "other-" + std::to_string(killed) + "-abcdef"}) {
+    fs::create_directory(path(name));
+  }
+  const fs::path mine = made();
+  EXPECT_EQ(count(), 9U) << "the folder alone goes";
+  EXPECT_TRUE(fs::exists(path("kept") + "/a/b/.hidden"));
+  EXPECT_TRUE(mine.filename().string().starts_with("made-" + std::to_string(::getpid()) + '-')) << mine;
+  forget_short_lived_folder(mine.string());
+}
+
+TEST_F(ShortLivedFolder, ThatOfAProcessThatRunsStays) {
+  Gate gate, has_made;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    fill(made());
+    has_made.open();
+    gate.wait();
+    ::_exit(0);
+  }
+  has_made.wait();
+  const fs::path mine = made();
+  EXPECT_EQ(count(), 2U);
+  gate.open();
+  EXPECT_EQ(::waitpid(child, nullptr, 0), child);
+  const fs::path next = made();
+  EXPECT_EQ(count(), 2U) << "then it goes";
+  for (const fs::path& one : {mine, next}) forget_short_lived_folder(one.string());
+}
+
+TEST_F(ShortLivedFolder, ThatOfAKilledProcessStaysWhileAChildOfItWorks) {
+  Gate gate;
+  killed_after([&] {
+    fill(made());
+    if (::fork() != 0) return;
+    gate.wait();
+    ::_exit(0);
+  });
+  const fs::path left = fs::directory_iterator(folder_)->path();
+  const fs::path mine = made();
+  EXPECT_EQ(count(), 2U);
+  gate.open();
+  const int lock = ::open(left.c_str(), O_RDONLY | O_DIRECTORY);
+  EXPECT_EQ(::flock(lock, LOCK_EX), 0) << "when the child has ended";
+  ::close(lock);
+  const fs::path next = made();
+  EXPECT_EQ(count(), 2U) << "then it goes";
+  for (const fs::path& one : {mine, next}) forget_short_lived_folder(one.string());
 }
 
 }  // namespace

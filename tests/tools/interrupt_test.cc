@@ -33,8 +33,9 @@ class Running {
     for (int k = 0; k < 6000 && !begun(); ++k) sleep_for(0.01);
     EXPECT_TRUE(begun());
     ::kill(child_, signal);
-    return {process::wait_for(child_).exit, shop_.read("out"), shop_.read("err")};
+    return end();
   }
+  Outcome end() { return {process::wait_for(child_).exit, shop_.read("out"), shop_.read("err")}; }
 
  private:
   const Workshop& shop_;
@@ -127,6 +128,19 @@ TEST(Interrupt, NoTemporaryFolderStays) {
     expect_interrupted(render.interrupt([&] { return !std::filesystem::is_empty(place); }, signal), "render");
     EXPECT_TRUE(std::filesystem::is_empty(place)) << *std::filesystem::directory_iterator(place);
   }
+}
+
+TEST(Interrupt, TheNextMovieRemovesTheFolderOfOneThatWasKilled) {
+  const Workshop shop;
+  shop.record_small("small");
+  const std::filesystem::path place = shop.path("temporary");
+  std::filesystem::create_directory(place);
+  Running killed(shop, {"render", "small.tumble", "-o", "new.mp4", "--size", "1280x720"});
+  static_cast<void>(killed.interrupt([&] { return !std::filesystem::is_empty(place); }, SIGKILL));
+  EXPECT_FALSE(std::filesystem::is_empty(place));
+  Running next(shop, {"render", "small.tumble", "-o", "new.mp4", "--size", "64x48"});
+  EXPECT_EQ(next.end().exit, 0) << shop.read("err");
+  EXPECT_TRUE(std::filesystem::is_empty(place)) << *std::filesystem::directory_iterator(place);
 }
 
 TEST(Interrupt, ALogThatIsBeingWrittenIsNotCalledTorn) {
