@@ -69,6 +69,7 @@ def prepare(run, folder):
 
     write("small.toml", SMALL)
     write("other.toml", SMALL.replace("6.0", "6.5"))
+    write("none.toml", SMALL.partition("[[input]]")[0])
     write("robot.csv", table())
     write("changed.csv", table(knee="0.75", step_12="0.001"))
     write("lost.csv", table(step_12="nan"))
@@ -77,6 +78,7 @@ def prepare(run, folder):
     run("record", "small.toml", "-o", "a.tumble")
     run("record", "small.toml", "-o", "b.tumble")
     run("record", "other.toml", "-o", "c.tumble")
+    run("record", "none.toml", "-o", "none.tumble")
     write("long.toml", SMALL.replace("steps = 40", "steps = 400"))
     run("record", scene("layered_brick_wall"), "-o", "wall.tumble", "--steps", "60")
     run("record", scene("layered_inputs"), "-o", "inputs.tumble", "--steps", "60")
@@ -117,6 +119,7 @@ SAMPLES = {
              ["a.tumble", "b.tumble", "c.tumble"], ["robot.tumble", "changed.tumble"], ["robot.tumble", "lost.tumble"],
              ["robot.tumble", "robot.tumble"], ["robot.tumble", "knee.tumble"],
              ["robot.tumble", "robot.tumble", "knee.tumble"], ["robot.tumble", "changed.tumble", "--step", "12"],
+             ["robot.tumble", "lost.tumble", "--step", "12"], ["a.tumble", "none.tumble", "--step", "10"],
              ["a.tumble", "robot.tumble"], ["long.tumble", "torn.tumble"], ["a.tumble", "c.tumble", "--brief"],
              ["a.tumble", "c.tumble", "--tolerance", "position=100", "--tolerance", "velocity=100"]],
     "blame": [["wall.tumble", "--body", "1", "--field", "position.x"], ["wall.tumble", "--body", "5", "--field", "velocity.z",
@@ -197,6 +200,21 @@ def strict(schema):
     return closed
 
 
+def unspecific(schema, place=""):
+    """The places of a schema that any value, any list or any object fits, and that do not say why."""
+    if isinstance(schema, list):
+        return [found for number, part in enumerate(schema) for found in unspecific(part, f"{place}/{number}")]
+    if not isinstance(schema, dict):
+        return []
+    lacks = {"array": "items", "object": "properties"}
+    kinds = schema.get("type", [])
+    kinds = [kinds] if isinstance(kinds, str) else kinds
+    is_any = schema == {} or any(kind in lacks and lacks[kind] not in schema and "additionalProperties" not in schema
+                                 for kind in kinds)
+    found = [place] if is_any and "description" not in schema else []
+    return found + [one for key, part in schema.items() if key != "const" for one in unspecific(part, f"{place}/{key}")]
+
+
 def named_by(value):
     """The names of schemas that an output gives: its own, or those of its items."""
     items = value if isinstance(value, list) else [value]
@@ -252,6 +270,8 @@ def main(words):
             continue
         schema = json.loads(path.read_text(encoding="utf-8"))
         jsonschema.Draft202012Validator.check_schema(schema)
+        wrong += [f"{path.relative_to(ROOT)}: {place}: anything fits, wanted what the command prints"
+                  for place in unspecific(schema)]
         judge = jsonschema.Draft202012Validator(strict(schema))
         for about, value in seen.get(command, []):
             if named_by(value) != {schema["$id"]}:
