@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "replay/format/not_finite.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
@@ -24,8 +25,8 @@ std::string channel_key(std::size_t channel, const std::string& part = "") {
 /// The channels that the report draws, by their places in the log: the first ones of numbers.
 std::vector<std::size_t> drawn_channels(const std::vector<replay::Channel>& channels) {
   std::vector<std::size_t> drawn;
-  for (std::size_t c = 0; c < channels.size() && drawn.size() < kChannelsDrawn; ++c) {
-    if (is_number(channels[c].type.kind)) drawn.push_back(c);
+  for (const std::size_t c : listed_order(channels)) {
+    if (drawn.size() < kChannelsDrawn && is_number(channels[c].type.kind)) drawn.push_back(c);
   }
   return drawn;
 }
@@ -50,8 +51,8 @@ Json expected_channel(const replay::Channel& channel, std::size_t place, const E
     double least = INFINITY, largest = -INFINITY;
     for (std::size_t i = 0; i < state.values.size(); ++i) {
       const double value = replay::number_of(state.values.value(i, kept->channel.type.kind));
-      least = std::min(least, value);
-      largest = std::max(largest, value);
+      least = replay::least(least, value);
+      largest = replay::largest(largest, value);
     }
     if (!std::isfinite(least) || !std::isfinite(largest)) continue;
     table["step"].push_back(state.step);

@@ -41,11 +41,13 @@ py::object goes_on_of(const replay::LogHeader& header) {
   return fields;
 }
 
+/// (index in the log, name, kind, scope, unit), in the order of lists for people.
 py::list channels_of(const replay::Declared& declared) {
   py::list channels;
-  for (const replay::Channel& channel : declared.channels) {
-    channels.append(py::make_tuple(text_of_bytes(channel.name), name_of(channel.type.kind), name_of(channel.type.scope),
-                                   text_of_bytes(channel.unit)));
+  for (const std::size_t index : listed_order(declared.channels)) {
+    const replay::Channel& channel = declared.channels[index];
+    channels.append(py::make_tuple(index, text_of_bytes(channel.name), name_of(channel.type.kind),
+                                   name_of(channel.type.scope), text_of_bytes(channel.unit)));
   }
   return channels;
 }

@@ -198,7 +198,6 @@ class Log:
 
     @property
     def channels(self):
-        """The channels that the engine declared, by name."""
-        rows = self._header["channels"]
-        named = ((row[0], Channel(self, index, *row)) for index, row in enumerate(rows))
+        """The channels that the engine declared, by name: "qpos[2]" before "qpos[10]"."""
+        named = ((row[1], Channel(self, *row)) for row in self._header["channels"])
         return Named(f"channel of {self.path}", named)

@@ -111,8 +111,8 @@ class Step:
         """The values that the engine logged in this step, by name of channel: one value where the channel is of the
         world, else a dictionary by id of body or by pair of ids. Channels without a value are left out."""
         values = {}
-        for index, channel in enumerate(self._log.channels.values()):
-            rows = self._data.channel(index, self._log._file)
+        for channel in self._log.channels.values():
+            rows = self._data.channel(channel._index, self._log._file)
             if not rows:
                 continue
             if channel.scope == "world":

@@ -7,6 +7,7 @@
 
 #include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -33,11 +34,20 @@ bool same_value_at(const ComparedChannel& both, std::size_t i, std::size_t j) {
   return is_number(kind) ? both.a.bits[i] == both.b.bits[j] : both.a.bytes[i] == both.b.bytes[j];
 }
 
+bool is_whole(ChannelKind kind) { return kind == ChannelKind::kInt64 || kind == ChannelKind::kUint64; }
+
+/// How far two numbers are apart; NaN where one is none.
+double distance_at(const ComparedChannel& both, std::size_t i, std::size_t j) {
+  const ChannelKind kind = both.channel.type.kind, kind_b = both.channel.kind_b;
+  const double apart = std::fabs(number_of(both.a.value(i, kind)) - number_of(both.b.value(j, kind_b)));
+  // Doubles beyond 2^53 do not tell all whole numbers apart; the bits of near ones do.
+  if (!is_whole(kind) || !is_whole(kind_b) || !(apart < 0x1p53)) return apart;
+  return std::fabs(static_cast<double>(static_cast<std::int64_t>(both.a.bits[i] - both.b.bits[j])));
+}
+
 bool excused(const ComparedChannel& both, std::size_t i, std::size_t j, const Tolerances& tolerances) {
-  const ChannelKind kind = both.channel.type.kind;
-  if (!is_number(kind) || tolerances.fields.empty()) return false;
-  return tolerances.excuses(kChannelField + both.channel.name, number_of(both.a.value(i, kind)),
-                            number_of(both.b.value(j, both.channel.kind_b)));
+  if (!is_number(both.channel.type.kind) || tolerances.fields.empty()) return false;
+  return tolerances.excuses(kChannelField + both.channel.name, 0, distance_at(both, i, j));
 }
 
 Divergence value_difference(const ComparedChannel& both, const ChannelKey& key, const std::optional<std::size_t>& i,
@@ -126,11 +136,12 @@ bool compares_across_engines(const std::string& name, const Tolerances& toleranc
 /// "angle, seed"; empty where none differs.
 std::string differing_channels(const ChannelMatch& match, const StepRecord& expected, const StepRecord& actual,
                                const Tolerances& tolerances) {
-  std::string names;
+  std::vector<std::string> names;
   for_each_compared(match, expected, actual, [&](const ComparedChannel& both) {
-    if (difference_in(both, tolerances)) names += (names.empty() ? "" : ", ") + both.channel.name;
+    if (difference_in(both, tolerances)) names.push_back(both.channel.name);
   });
-  return names;
+  std::ranges::sort(names, natural_less);
+  return joined(names, ", ");
 }
 
 }  // namespace
@@ -179,12 +190,14 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
     match.passed_over.push_back("channel " + channel.name + ": only the second log has it");
   }
   match.equal = match.equal && match.passed_over.empty() && match.contacts;
+  std::ranges::stable_sort(match.passed_over, natural_less);
   return match;
 }
 
 std::vector<std::string> names_of(const ChannelMatch& match) {
   std::vector<std::string> names;
   for (const SharedChannel& channel : match.compared) names.push_back(channel.name);
+  std::ranges::sort(names, natural_less);
   return names;
 }
 
@@ -232,8 +245,8 @@ double channel_distance(const SharedChannel& channel, const StepRecord& a, const
     if (!only_a && !only_b) {
       distance = same_value_at(both, i, j) ? 0 : 1;
       if (distance > 0 && is_number(kind)) {
-        distance = std::fabs(number_of(both.a.value(i, kind)) - number_of(both.b.value(j, channel.kind_b)));
-        // Two zeros of other sign, or integers that no double tells apart, differ all the same.
+        distance = distance_at(both, i, j);
+        // Two zeros of other sign differ all the same.
         if (distance == 0) distance = std::numeric_limits<double>::denorm_min();
         if (std::isnan(distance)) distance = kFar;
       }
@@ -251,6 +264,7 @@ std::vector<ExtraRow> extras_side_by_side(const ChannelMatch& match, const StepR
   for_each_compared(match, a, b, [&](const ComparedChannel& both) {
     rows.push_back({kChannelField + both.channel.name, both.a.size(), both.b.size(), difference_in(both, {})});
   });
+  std::ranges::stable_sort(rows, natural_less, &ExtraRow::name);
   const std::vector<EngineContact>&in_a = a.extras.contacts, &in_b = b.extras.contacts;
   if (match.contacts && !(in_a.empty() && in_b.empty())) {
     rows.push_back({"contacts", in_a.size(), in_b.size(), contact_difference(in_a, in_b)});

@@ -42,6 +42,7 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
 /// Whether two lists of contacts agree in every bit.
 bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b);
 
+/// Of the channels that are compared, by natural_less().
 std::vector<std::string> names_of(const ChannelMatch& match);
 
 /// Makes every extra of `actual` equal to that of `expected` that `match` does not compare, so that a chain over both
@@ -68,6 +69,7 @@ struct ExtraRow {
   std::size_t in_a = 0, in_b = 0;   ///< values or contacts
   std::optional<Divergence> first;  ///< the first that differs; none: all are equal
 };
+/// By natural_less() of the names, contacts last.
 std::vector<ExtraRow> extras_side_by_side(const ChannelMatch& match, const StepRecord& a, const StepRecord& b);
 
 /// Adds first_extra_difference() to the first difference that was found in the rest of the step. A channel that differs

@@ -206,9 +206,9 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
     parts.emplace_back(holds_hashes_only(one) ? "hashes of each step" : "values of each step");
     return parts;
   }
-  for (const Channel& channel : one.declared.channels) {
-    const std::vector<Channel>& there = other.declared.channels;
-    if (other.declared.find(channel.name) == there.size()) parts.push_back("channel " + channel.name);
+  for (const std::size_t c : listed_order(one.declared.channels)) {
+    const std::string& name = one.declared.channels[c].name;
+    if (other.declared.find(name) == other.declared.channels.size()) parts.push_back("channel " + name);
   }
   const std::vector<BodyInfo>& bodies = other.declared.bodies;
   for (const BodyInfo& body : one.declared.bodies) {

@@ -7,6 +7,7 @@
 
 #include "replay/format/not_finite.h"
 #include "src/base/check.h"
+#include "src/base/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
 #include "tumble/sim/vec.h"
@@ -64,6 +65,7 @@ class SeparationMeter {
     for (auto& [channel, apart] : channels_) {
       if (apart.largest > 0) separation_.channels.push_back(std::move(apart));
     }
+    std::ranges::sort(separation_.channels, natural_less, &ChannelSeparation::name);
     return std::move(separation_);
   }
 

@@ -69,7 +69,7 @@ struct Separation {
   std::vector<SeparationMark> marks;        ///< those that were exceeded
   SeparationRow largest;                    ///< the row with the largest separation
   std::optional<LostBody> lost;             ///< the first one
-  std::vector<ChannelSeparation> channels;  ///< those that differ in any step
+  std::vector<ChannelSeparation> channels;  ///< those that differ in any step, by natural_less() of their names
   // What there was to compare in any step of either session.
   bool compares_contacts = true;   ///< else none, not even by number: two engines count them otherwise
   bool had_contacts = false;       ///< pairs or contacts

@@ -45,6 +45,10 @@ const char* name_of(ChannelScope scope) {
   return index < kScopeNames.size() ? kScopeNames[index] : "unknown scope";
 }
 
+std::vector<std::size_t> listed_order(const std::vector<Channel>& channels) {
+  return natural_order(channels, &Channel::name);
+}
+
 Status check_channels(const std::vector<Channel>& channels) {
   if (channels.size() > kChannelsMax) {
     return bad_input("found " + std::to_string(channels.size()) + " channels, wanted at most " +

@@ -56,6 +56,10 @@ inline bool comparable(const ChannelType& a, const ChannelType& b) {
   return a.scope == b.scope && (a.kind == b.kind || (is_number(a.kind) && is_number(b.kind)));
 }
 
+/// The places of channels in the order in which lists for people have them: by natural_less() of their names. A log
+/// has them by bytes.
+std::vector<std::size_t> listed_order(const std::vector<Channel>& channels);
+
 /// Errors (kBadInput): too many channels, a name or a unit that no log can keep, two channels of one name.
 Status check_channels(const std::vector<Channel>& channels);
 

@@ -59,7 +59,7 @@ double largest_of(const ChannelValues& values, ChannelKind kind) {
 std::vector<std::size_t> channel_columns(const LogHeader& header) {
   std::vector<std::size_t> columns;
   const std::vector<Channel>& channels = header.declared.channels;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
+  for (const std::size_t c : listed_order(channels)) {
     if (is_number(channels[c].type.kind)) columns.push_back(c);
   }
   return columns;

@@ -36,7 +36,7 @@ struct TimelineRow {
   double overlap = 0;              ///< m, deepest of two boxes, as `measure` defines overlap_max; NaN after a lost body
 };
 
-/// The channels that a timeline shows: those of numbers. Indices in LogHeader::declared.channels.
+/// The channels that a timeline shows: those of numbers, in listed_order(). Indices in LogHeader::declared.channels.
 std::vector<std::size_t> channel_columns(const LogHeader& header);
 
 /// An input with its step.

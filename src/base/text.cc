@@ -41,6 +41,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// The run of digits that begins at a place; empty: no digit is there.
+std::string_view digits_at(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+  return text.substr(at, end - at);
+}
+
+std::string_view without_zeros(std::string_view digits) {
+  return digits.substr(std::min(digits.find_first_not_of('0'), digits.size()));
+}
+
 }  // namespace
 
 std::string exact(double value) { return shortest(value); }
@@ -195,6 +206,26 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
     best = candidate;
   }
   return best;
+}
+
+bool natural_less(std::string_view a, std::string_view b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    const std::string_view in_a = digits_at(a, i), in_b = digits_at(b, j);
+    if (in_a.empty() || in_b.empty()) {
+      if (a[i] != b[j]) return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[j]);
+      ++i;
+      ++j;
+      continue;
+    }
+    const std::string_view one = without_zeros(in_a), other = without_zeros(in_b);
+    if (one.size() != other.size()) return one.size() < other.size();
+    if (one != other) return one < other;
+    i += in_a.size();
+    j += in_b.size();
+  }
+  const bool a_ends = i == a.size(), b_ends = j == b.size();
+  return a_ends != b_ends ? a_ends : a < b;
 }
 
 // Bytes that do not continue a UTF-8 character.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,6 +69,21 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 
 /// The candidate that `word` is most likely a slip for; empty if none is near.
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// Whether a name stands before another one in a list for people: runs of digits count as numbers, so that "qpos[2]"
+/// stands before "qpos[10]". A strict order of all texts: names that are equal but for leading zeros keep that of
+/// bytes.
+bool natural_less(std::string_view a, std::string_view b);
+
+/// The places of a list's entries in the order of natural_less() of their names. name: of an entry, a member or a
+/// function.
+template <class List, class Name>
+std::vector<std::size_t> natural_order(const List& list, Name name) {
+  std::vector<std::size_t> order(list.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::sort(order, natural_less, [&](std::size_t i) -> std::string_view { return std::invoke(name, list[i]); });
+  return order;
+}
 
 /// Columns that UTF-8 text takes on a terminal.
 std::size_t columns(std::string_view text);

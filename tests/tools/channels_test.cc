@@ -37,6 +37,55 @@ json import(const Workshop& shop, const std::string& name, const std::string& te
   return run.exit == 0 ? json::parse(run.out) : json();
 }
 
+/// One body, two steps; the values of the channels in step 1.
+std::string numbered_table(const std::string& q10, const std::string& q2, const std::string& count = "1") {
+  return "# engine: robot\n# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+         "orientation.y,orientation.z,channel.q[10],channel.q[2],world.count\n"
+         "0,1,0,0,1,1,0,0,0,1,1,1\n1,1,0,0,1,1,0,0,0," +
+         q10 + ',' + q2 + ',' + count + '\n';
+}
+
+TEST(Channels, ListsHaveNumbersInTheOrderOfTheirValues) {
+  const Workshop shop;
+  shop.write("a.csv", numbered_table("1", "1"));
+  shop.write("b.csv", numbered_table("2", "3"));
+  const json imported = json::parse(shop.run({"import", "a.csv", "-o", "a.tumble", "--json"}).out);
+  EXPECT_EQ(imported["channels"], (json{"count", "q[2]", "q[10]"}));
+  ASSERT_EQ(shop.run({"import", "b.csv", "-o", "b.tumble"}).exit, 0);
+  const auto in_order = [&](const std::vector<std::string>& words) {
+    const std::string out = shop.run(words).out;
+    const std::size_t second = out.find("q[2]"), tenth = out.find("q[10]");
+    EXPECT_NE(tenth, std::string::npos) << out;
+    EXPECT_LT(second, tenth) << out;
+  };
+  in_order({"info", "a.tumble"});
+  in_order({"info", "a.tumble", "--json"});
+  in_order({"dump", "a.tumble", "--step", "1"});
+  in_order({"measure", "a.tumble"});
+  in_order({"diff", "a.tumble", "a.tumble"});
+  const json found = json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(found["aftermath"]["channels"][0]["name"], "q[2]");
+  EXPECT_EQ(found["aftermath"]["channels"][1]["name"], "q[10]");
+  const json step = json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--step", "1", "--json"}).out);
+  std::vector<std::string> names;
+  for (const json& row : step["values"]) {
+    if (row["name"].get<std::string>().find("channel.") == 0) names.push_back(row["name"]);
+  }
+  ASSERT_EQ(names.size(), 3U) << step.dump(1);
+  EXPECT_EQ(names[1].substr(0, 12), "channel.q[2]");
+}
+
+TEST(Channels, AToleranceOfWholeNumbersIsExact) {
+  const Workshop shop;
+  shop.write("a.csv", numbered_table("1", "1", "9007199254740992"));
+  shop.write("b.csv", numbered_table("1", "1", "9007199254740993"));
+  for (const char* name : {"a", "b"}) {
+    ASSERT_EQ(shop.run({"import", std::string(name) + ".csv", "-o", std::string(name) + ".tumble"}).exit, 0);
+  }
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--tolerance", "count=0.5"}).exit, 1);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--tolerance", "count=1"}).exit, 0);
+}
+
 TEST(Channels, AnotherJointAngleIsNamedWithBothValues) {
   const Workshop shop;
   const json imported = import(shop, "a", table("0.22"));

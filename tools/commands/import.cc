@@ -103,7 +103,8 @@ void print_result(const ImportCommand& options, const std::string& output, const
     json["axes"] = axes_json(header.axes());
     json["passed_over"] = header.table ? Json(header.table->passed_over) : Json::array();
     json["channels"] = Json::array();
-    for (const replay::Channel& channel : header.declared.channels) json["channels"].push_back(channel.name);
+    for (const std::size_t c : listed_order(header.declared.channels))
+      json["channels"].push_back(header.declared.channels[c].name);
     json["derived"] = Json::array();
     if (header.declared.velocity_derived) json["derived"].push_back("velocity");
     if (header.declared.spin_derived) json["derived"].push_back("spin");
@@ -121,7 +122,8 @@ void print_result(const ImportCommand& options, const std::string& output, const
   }
   if (!header.declared.channels.empty()) {
     std::string names;
-    for (const replay::Channel& channel : header.declared.channels) {
+    for (const std::size_t c : listed_order(header.declared.channels)) {
+      const replay::Channel& channel = header.declared.channels[c];
       names += (names.empty() ? "" : ", ") + channel.name + " (" + name_of(channel.type.kind) + ", " +
                name_of(channel.type.scope) + (channel.unit.empty() ? ")" : ", in " + channel.unit + ")");
     }

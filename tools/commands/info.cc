@@ -40,7 +40,8 @@ std::string inputs_text(const LogFacts& facts) {
 
 std::string channels_text(const replay::Declared& declared) {
   std::string text;
-  for (const replay::Channel& channel : declared.channels) {
+  for (const std::size_t c : listed_order(declared.channels)) {
+    const replay::Channel& channel = declared.channels[c];
     text += (text.empty() ? "" : ", ") + channel.name + " (" + name_of(channel.type.kind) + " of " +
             name_of(channel.type.scope) + ")";
   }
@@ -122,7 +123,8 @@ void put_header(Json& json, const LogHeader& header) {
   json["axes"] = axes_json(header.axes());
   json["passed_over"] = header.table ? Json(header.table->passed_over) : Json::array();
   json["channels"] = Json::array();
-  for (const replay::Channel& channel : header.declared.channels) {
+  for (const std::size_t c : listed_order(header.declared.channels)) {
+    const replay::Channel& channel = header.declared.channels[c];
     json["channels"].push_back({{"name", channel.name},
                                 {"kind", name_of(channel.type.kind)},
                                 {"scope", name_of(channel.type.scope)},

@@ -27,7 +27,7 @@ std::string full_text(const replay::ChannelValue& value, ChannelKind kind) {
 /// Calls visit(channel, values) for the channels of a scope that have values.
 template <class Visit>
 void for_each_channel(const replay::Declared& declared, const replay::Extras& extras, ChannelScope scope, Visit visit) {
-  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
+  for (const std::size_t i : listed_order(declared.channels)) {
     const replay::ChannelValues& values = extras.values(i);
     if (declared.channels[i].type.scope == scope && !values.empty()) visit(declared.channels[i], values);
   }
@@ -180,7 +180,7 @@ std::vector<std::string> not_in_cells(const replay::Declared& declared, const re
   add(extras.notes.size(), "notes");
   add(extras.snapshots.size(), "snapshots");
   add(extras.superseded.size(), "superseded steps");
-  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
+  for (const std::size_t i : listed_order(declared.channels)) {
     const ChannelScope scope = declared.channels[i].type.scope;
     if (scope == ChannelScope::kWorld) continue;
     const auto has_row = [&](const replay::ChannelKey& key) { return std::ranges::binary_search(bodies, key.a); };
@@ -195,7 +195,7 @@ std::vector<std::string> not_in_cells(const replay::Declared& declared, const re
 void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body,
                     Table& table) {
   const auto& [axes, declared, bodies] = told;
-  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
+  for (const std::size_t i : listed_order(declared.channels)) {
     const auto& [name, type, unit] = declared.channels[i];
     const replay::ChannelValues& values = extras.values(i);
     for (std::size_t row = 0; row < values.size(); ++row) {

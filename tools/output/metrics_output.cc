@@ -37,10 +37,16 @@ constexpr std::array kStatistics = {replay::ChannelStatistic::kMin, replay::Chan
                                     replay::ChannelStatistic::kMean, replay::ChannelStatistic::kLast,
                                     replay::ChannelStatistic::kChangeMax};
 
+std::vector<std::size_t> listed_order(const replay::Metrics& metrics) {
+  return natural_order(metrics.channels,
+                       [](const replay::ChannelMetrics& one) -> const std::string& { return one.channel.name; });
+}
+
 /// By name: kind, scope, unit, number of values and changes, and the statistics; null without a value.
 Json channels_json(const replay::Metrics& metrics) {
   Json json = Json::object();
-  for (const replay::ChannelMetrics& channel : metrics.channels) {
+  for (const std::size_t c : listed_order(metrics)) {
+    const replay::ChannelMetrics& channel = metrics.channels[c];
     Json& row = json[channel.channel.name];
     row = {{"kind", name_of(channel.channel.type.kind)},
            {"scope", name_of(channel.channel.type.scope)},
@@ -57,7 +63,8 @@ Json channels_json(const replay::Metrics& metrics) {
 
 void add_channels(const replay::Metrics& metrics, Listing& out) {
   if (!metrics.channels.empty()) out.section("channels");
-  for (const replay::ChannelMetrics& channel : metrics.channels) {
+  for (const std::size_t c : listed_order(metrics)) {
+    const replay::ChannelMetrics& channel = metrics.channels[c];
     std::string text = count_text(channel.values, "value") + ", " + count_text(channel.changes, "change");
     if (const auto min = channel.value(replay::ChannelStatistic::kMin)) {
       text += ", " + exact(*min) + " to " + exact(*channel.value(replay::ChannelStatistic::kMax));

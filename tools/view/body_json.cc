@@ -16,7 +16,7 @@ namespace {
 Json channels_of_body(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels) {
   Json own = Json::array();
   std::size_t column = 0, pairs = 0;  // by index in channel_columns()
-  for (std::size_t c = 0; c < channels.size(); ++c) {
+  for (const std::size_t c : listed_order(channels)) {
     const auto& [kind, scope] = channels[c].type;
     const Json index = is_number(kind) ? Json(column++) : Json(nullptr);
     if (scope == replay::ChannelScope::kWorld) continue;
