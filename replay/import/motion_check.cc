@@ -110,6 +110,7 @@ void MotionCheck::add(sim::BodyId body, std::uint64_t step, double dt, const Eng
                       const EngineAxes& axes) {
   constexpr double kSpeedMin = 0.5;  // m/s
   axes_ = axes;
+  if (states_ == 0) start_gravity_ = gravity_;
   const auto [known, is_new] = before_.try_emplace(body);
   Before& before = known->second;
   ++states_;

@@ -79,11 +79,12 @@ class MotionCheck {
   [[nodiscard]] std::string leap_text(const NameOf& name_of) const;
   [[nodiscard]] std::string wrong_order() const;
   void add_fall(std::vector<std::string>& out) const;
+  void add_upright(std::vector<std::string>& out) const;
   [[nodiscard]] std::optional<std::size_t> down() const;
 
   std::map<sim::BodyId, Before> before_;
   EngineAxes axes_;
-  sim::Vec3 gravity_ = {0, 0, 0};
+  sim::Vec3 gravity_ = {0, 0, 0}, start_gravity_ = {0, 0, 0};
   bool scalar_last_asked_ = false;
   std::array<std::uint64_t, 6> falls_ = {};            // states that fall along −x, x, −y, y, −z, z
   std::array<std::map<int, std::uint64_t>, 6> sizes_;  // of their accelerations: 10·log10, rounded

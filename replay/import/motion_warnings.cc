@@ -25,6 +25,19 @@ std::optional<std::size_t> MotionCheck::down() const {
   return 2 * static_cast<std::size_t>(axis) + (gravity_[axis] > 0 ? 1 : 0);
 }
 
+/// An engine with y up that forgets to say so tells a gravity along y of axes with z up: its motion fits its gravity, and
+/// yet whatever is measured or drawn by height takes the wrong axis.
+void MotionCheck::add_upright(std::vector<std::string>& out) const {
+  const sim::Vec3& g = start_gravity_;
+  int axis = 2;
+  for (int k = 0; k < 2; ++k) axis = std::fabs(g[k]) > std::fabs(g[axis]) ? k : axis;
+  if (g[axis] == 0 || (axis == 2 && g[axis] < 0)) return;
+  const EngineAxis along = axes_.along(axis);
+  out.push_back(std::string("gravity points along ") + ((g[axis] > 0) == (along.sign > 0) ? "+" : "-") + along.letter +
+                ", but the axes are " + to_string(axes_) +
+                (axis == 2 ? "; has \"gravity\" the opposite sign?" : "; is \"up\" missing, or another one?"));
+}
+
 void MotionCheck::add_fall(std::vector<std::string>& out) const {
   std::uint64_t all = 0;
   for (const std::uint64_t count : falls_) all += count;
@@ -98,7 +111,9 @@ std::string MotionCheck::leap_text(const NameOf& name_of) const {
 }
 
 void MotionCheck::add_to(std::vector<std::string>& out, const NameOf& name_of) const {
+  const std::size_t before = out.size();
   add_fall(out);
+  if (out.size() == before) add_upright(out);
   const auto add = [&](const Fit& fit, const char* told, const char* moved, const char* remedy) {
     if (kOneIn * fit.all() < states_) return;
     const std::string of = " of " + std::to_string(fit.all());
