@@ -35,13 +35,17 @@ std::string message_of(const CaseResult& result) {
 }
 
 /// The file to look at in a case's folder: its scene, or its rules where another engine has the scene.
-std::string file_of(const SuiteResult& result, const std::string& name) {
+std::string file_of(const SuiteResult& result, const std::string& name, const std::string& checkout) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path folder = fs::path(result.suite) / "cases" / name;
   const fs::path file = folder / (fs::exists(folder / kSceneFile, error) ? kSceneFile : kRulesFile);
-  const fs::path below = fs::relative(file, error);
-  return error || below.empty() || *below.begin() == ".." ? file.string() : below.generic_string();
+  for (const fs::path& base : {fs::path(checkout), fs::current_path(error)}) {
+    if (base.empty()) continue;
+    const fs::path below = fs::relative(file, base, error);
+    if (!error && !below.empty() && *below.begin() != "..") return below.generic_string();
+  }
+  return file.string();
 }
 
 /// In a workflow command '%', line ends and, in a property, ':' and ',' are escaped.
@@ -63,7 +67,7 @@ std::string escaped(std::string_view text, bool property) {
 
 }  // namespace
 
-std::vector<Annotation> annotations(const SuiteResult& result) {
+std::vector<Annotation> annotations(const SuiteResult& result, const std::string& checkout) {
   std::vector<Annotation> out;
   for (const CanaryResult& canary : result.canaries) {
     if (!canary.missed()) continue;
@@ -71,7 +75,7 @@ std::vector<Annotation> annotations(const SuiteResult& result) {
   }
   for (const std::string& problem : result.problems) out.push_back({"the suite itself", one_line(problem), {}});
   for (const CaseResult& one : result.cases) {
-    if (!one.passed()) out.push_back({one_line(one.name), message_of(one), file_of(result, one.name)});
+    if (!one.passed()) out.push_back({one_line(one.name), message_of(one), file_of(result, one.name, checkout)});
   }
   return out;
 }

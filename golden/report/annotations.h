@@ -12,11 +12,12 @@ namespace tumble::golden {
 struct Annotation {
   std::string title;    ///< "brick_wall", "comparisons of known outcome"
   std::string message;  ///< one line: the magnitude, then the first difference
-  std::string file;     ///< relative to the current folder where it lies below, as a repository's files in CI do
+  std::string file;     ///< relative to the checkout where it lies below, else to the current folder where below that
 };
 
 /// Cases that failed, by name; problems of the suite; canaries that were not caught. Empty if the check passed.
-std::vector<Annotation> annotations(const SuiteResult& result);
+/// checkout: the folder that the CI service has the repository in, from which it knows files; empty: not told.
+std::vector<Annotation> annotations(const SuiteResult& result, const std::string& checkout);
 
 /// GitHub's workflow commands, a line for each: "::error file=…,line=1,title=…::…".
 std::string github_commands(const std::vector<Annotation>& failures);

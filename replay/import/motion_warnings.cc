@@ -25,8 +25,8 @@ std::optional<std::size_t> MotionCheck::down() const {
   return 2 * static_cast<std::size_t>(axis) + (gravity_[axis] > 0 ? 1 : 0);
 }
 
-/// An engine with y up that forgets to say so tells a gravity along y of axes with z up: its motion fits its gravity, and
-/// yet whatever is measured or drawn by height takes the wrong axis.
+/// An engine with y up that forgets to say so tells a gravity along y of axes with z up: its motion fits its gravity,
+/// and yet whatever is measured or drawn by height takes the wrong axis.
 void MotionCheck::add_upright(std::vector<std::string>& out) const {
   const sim::Vec3& g = start_gravity_;
   int axis = 2;

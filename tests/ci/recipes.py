@@ -65,6 +65,7 @@ def run_recipe(name, steps_of, folder):
     steps, variables, uploads = steps_of(yaml.safe_load((SOURCE / "docs/ci" / name).read_text()))
     stubs = folder / "stubs"
     environment = {**os.environ, **variables, "STUBS": str(stubs)}
+    environment |= {"GITHUB_WORKSPACE": str(folder), "CI_PROJECT_DIR": str(folder)}
     environment["PATH"] = f"{stubs}:{TUMBLE.parent}:{environment['PATH']}"
     passed, printed = True, ""
     for condition, script in steps:
@@ -114,6 +115,24 @@ def try_recipe(name, steps_of, shown):
         want(failed == ["bounce"], f"{name}: junit.xml has the failures {failed}")
 
 
+def try_subfolder():
+    """A project in a folder of its repository: the service knows its files from the repository's folder."""
+    with tempfile.TemporaryDirectory() as made:
+        repository = pathlib.Path(made)
+        (repository / "physics").mkdir()
+        suite_in(repository / "physics")
+        (repository / "physics/golden/cases/bounce/expected.tumble").unlink()
+        environment = {**os.environ, "GITHUB_WORKSPACE": made, "CI_PROJECT_DIR": made}
+        wanted = "physics/golden/cases/bounce/scene.toml"
+        for service in ("github", "gitlab"):
+            done = subprocess.run([TUMBLE, "check", "bounce", "--report", "report", "--annotate", service],
+                                  cwd=repository / "physics", env=environment, text=True, capture_output=True, check=False)
+            findings = repository / "physics/report/gl-code-quality-report.json"
+            said = done.stdout if service == "github" else findings.read_text()
+            want(wanted in said, f"{service}: found no {wanted} in\n{said}{done.stderr}")
+
+
+try_subfolder()
 try_recipe("github.yml", github_steps, lambda printed, _: [l for l in printed.splitlines() if l.startswith("::error ")])
 try_recipe("github_shards.yml", github_shard_steps,
            lambda printed, _: [l for l in printed.splitlines() if l.startswith("::error ")])

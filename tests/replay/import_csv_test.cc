@@ -192,8 +192,9 @@ TEST(ImportCsv, WhatDoesNotFitIsSaidWithTheRemedy) {
   EXPECT_TRUE(says(misfits("# dt: 0.01\n", -1), "bodies move against their velocities in "));
   EXPECT_TRUE(says(misfits("# dt: 0.01\n", 57.3), "times as far in a step as their velocities say"));
   EXPECT_TRUE(says(misfits("# dt: 0.01\n# gravity: 0 0 0\n"), "but gravity is 0 m/s^2"));
-  EXPECT_TRUE(says(misfits("# dt: 0.01\n# up: y\n# gravity: 0 0 -9.81\n"),
-                   "gravity points along -z, but the axes are y up, right-handed, m; is \"up\" missing, or another one?"));
+  EXPECT_TRUE(
+      says(misfits("# dt: 0.01\n# up: y\n# gravity: 0 0 -9.81\n"),
+           "gravity points along -z, but the axes are y up, right-handed, m; is \"up\" missing, or another one?"));
   EXPECT_TRUE(says(misfits("# dt: 0.01\n# gravity: 0 0 9.81\n"), "accelerate along -z"));
 }
 

@@ -2,6 +2,7 @@
 #include "tumble/golden/check.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -84,7 +85,8 @@ Exit verdict_of(const golden::SuiteResult& result) {
 
 /// Shows the failures beside the change, in a CI service that knows them in this form.
 Status annotate(const CheckCommand& options, const golden::SuiteResult& result) {
-  const std::vector<golden::Annotation> failures = golden::annotations(result);
+  const char* const checkout = std::getenv(options.annotate == "github" ? "GITHUB_WORKSPACE" : "CI_PROJECT_DIR");
+  const std::vector<golden::Annotation> failures = golden::annotations(result, checkout == nullptr ? "" : checkout);
   if (options.annotate == "github") (options.json ? std::cerr : std::cout) << golden::github_commands(failures);
   if (options.annotate != "gitlab") return {};
   return golden::write_file(golden::findings_file(options.report),
