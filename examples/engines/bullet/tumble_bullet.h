@@ -36,9 +36,12 @@ class BulletRecorder {
     for (int i = 0; contacts && i < pairs.getNumManifolds(); ++i) tell(*pairs.getManifoldByIndexInternal(i));
     tumble_rec_step_end(rec);
   }
+
  private:
   static void copy(const btVector3& v, double* out) { out[0] = v.x(), out[1] = v.y(), out[2] = v.z(); }
-  static uint64_t id_of(const btCollisionObject* o) { return o->getUserIndex3() > 0 ? uint64_t(o->getUserIndex3()) : 0; }
+  static uint64_t id_of(const btCollisionObject* o) {
+    return o->getUserIndex3() > 0 ? uint64_t(o->getUserIndex3()) : 0;
+  }
   static TumbleRecState state_of(const btRigidBody& body) {
     const btQuaternion q = body.getWorldTransform().getRotation();
     TumbleRecState state = {{0, 0, 0}, {q.w(), q.x(), q.y(), q.z()}, {0, 0, 0}, {0, 0, 0}, !body.isActive()};
@@ -49,7 +52,8 @@ class BulletRecorder {
   void tell(const btPersistentManifold& m) {
     if (m.getNumContacts() == 0) return;  // before its bodies are looked at, which are in no cache
     const uint64_t a = id_of(m.getBody0()), b = id_of(m.getBody1());
-    const double sign = a == 0 ? 1 : -1;  // Bullet's normal points from body 1 to body 0
+    if (a == 0 && b == 0) return;           // of two that the recorder was not told of
+    const btScalar sign = a == 0 ? 1 : -1;  // Bullet's normal points from body 1 to body 0
     TumbleRecPoint points[4];
     TumbleRecContact contact = {a == 0 ? b : a, a == 0 ? a : b, 0, {0, 0, 0}, points, 0};
     for (int k = 0; k < m.getNumContacts() && k < 4; ++k) {

@@ -14,16 +14,12 @@ struct Scene {
   OdeRecorder* recorder = nullptr;
 };
 
-std::uint64_t id_of(dGeomID geom) {
-  const dBodyID body = dGeomGetBody(geom);
-  return body ? reinterpret_cast<std::uintptr_t>(dBodyGetData(body)) : 0;
-}
-
 void collide(void* data, dGeomID a, dGeomID b) {
   auto& scene = *static_cast<Scene*>(data);
   dContact contacts[8] = {};
   const int count = dCollide(a, b, 8, &contacts[0].geom, sizeof(dContact));
-  const auto [low, high] = std::minmax({id_of(a), id_of(b)});
+  const auto [low, high] =
+      std::minmax({scene.recorder->id_of(dGeomGetBody(a)), scene.recorder->id_of(dGeomGetBody(b))});
   for (int k = 0; k < count; ++k) {
     contacts[k].surface.mode = dContactApprox1;
     TUMBLE_PROBE_PAIR(&tumble_probes, "contact.depth", low, high, contacts[k].geom.depth);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "tumble_recorder.h"
@@ -25,8 +26,7 @@ class OdeRecorder {
     dVector3 size;
     dMass mass;
     dGeomBoxGetLengths(box, size), dBodyGetMass(body, &mass);
-    bodies_.push_back(body);
-    dBodySetData(body, reinterpret_cast<void*>(bodies_.size()));  // its id
+    bodies_.push_back(body), ids_[body] = bodies_.size();
     out.id = bodies_.size(), out.name = name, out.mass = mass.mass, out.friction = friction;
     out.is_static = dBodyIsKinematic(body), out.state = state_of(body);
     copy(size, 3, out.size), tumble_rec_body(rec, &out);
@@ -35,7 +35,8 @@ class OdeRecorder {
   void begin_step(double dt) { tumble_rec_step_begin(rec, dt); }
   void contacts(dGeomID geom_a, dGeomID geom_b, const dContact* found, int count) {
     const std::uint64_t a = id_of(dGeomGetBody(geom_a)), b = id_of(dGeomGetBody(geom_b));
-    const double sign = a == 0 ? 1 : -1;  // ODE's normal points into geom 1
+    if (count == 0 || (a == 0 && b == 0)) return;  // of two that the recorder was not told of
+    const double sign = a == 0 ? 1 : -1;           // ODE's normal points into geom 1
     std::vector<TumbleRecPoint> points(static_cast<std::size_t>(count));
     TumbleRecContact out = {a == 0 ? b : a, a == 0 ? a : b, 0, {0, 0, 0}, points.data(), 0};
     for (int k = 0; k < count; ++k) {
@@ -43,7 +44,7 @@ class OdeRecorder {
       copy(found[k].geom.pos, 3, points[out.point_count].position);
       points[out.point_count++].depth = found[k].geom.depth;  // impulses are known later: dJointSetFeedback()
     }
-    if (count > 0) tumble_rec_contact(rec, &out);
+    tumble_rec_contact(rec, &out);
   }
   void end_step() {
     for (const dBodyID body : bodies_) {
@@ -52,10 +53,13 @@ class OdeRecorder {
     }
     tumble_rec_step_end(rec);
   }
+  std::uint64_t id_of(dBodyID body) const {  // 0: the ground, and bodies that were not added
+    const auto known = ids_.find(body);
+    return known == ids_.end() ? 0 : known->second;
+  }
 
  private:
   static void copy(const dReal* from, int count, double* to) { std::copy_n(from, count, to); }
-  static std::uint64_t id_of(dBodyID body) { return body ? reinterpret_cast<std::uintptr_t>(dBodyGetData(body)) : 0; }
   static TumbleRecState state_of(dBodyID body) {
     TumbleRecState state = {};
     copy(dBodyGetPosition(body), 3, state.position), copy(dBodyGetQuaternion(body), 4, state.orientation);
@@ -64,4 +68,5 @@ class OdeRecorder {
     return state;
   }
   std::vector<dBodyID> bodies_;
+  std::map<dBodyID, std::uint64_t> ids_;
 };
