@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tumble/replay/divergence.h"
+#include "tumble/replay/header_difference.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/replay/tolerance.h"
 
@@ -27,6 +28,7 @@ struct ChannelMatch {
   std::vector<SharedChannel> compared;
   std::vector<std::string> passed_over;  ///< for people: name and reason of each channel that is not compared
   bool contacts = true;                  ///< contacts are compared too
+  std::string contacts_why;              ///< why they are not, for people; empty: of two engines
   /// Channels of one engine that hold values of other kinds in the two logs, as text and numbers: differences.
   std::vector<Divergence> other_kinds;
   bool equal = true;  ///< both logs declare the same channels and all is compared, so chains can be compared
@@ -38,6 +40,10 @@ bool are_two_engines(const LogHeader& a, const LogHeader& b);
 /// two_engines: only channels with a tolerance are compared, because equal names of two engines need not mean equal
 /// numbers; contacts are not.
 ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances, bool two_engines);
+
+/// Of one engine: leaves contacts out where one log alone has any, and names them in `only_in`. Its recorder told none,
+/// as it tells no channel that it lacks. Returns whether it did.
+bool leave_out_contacts_of_one(bool in_a, bool in_b, ChannelMatch& match, OnlyInOne& only_in);
 
 /// Whether two lists of contacts agree in every bit.
 bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b);

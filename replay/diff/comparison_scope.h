@@ -46,7 +46,7 @@ struct DiffFacts {
   bool states_only = false;           ///< two engines: dt and states alone
   bool same_words = false;            ///< phase words mean the same in both
   bool imported = false;              ///< one log at least is another engine's
-  bool no_contacts = false;           ///< known: neither engine told of a contact
+  bool no_contacts = false;           ///< known: one engine at least told of no contact
   bool one_scene = false;             ///< scenes and method versions are equal, so complete states were compared
   std::uint64_t worlds = 0;           ///< complete states compared
   std::uint64_t zeros = 0;            ///< whose sign alone differs, counted as equal

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "replay/log/log_facts.h"
 #include "replay/measure/metric_list.h"
 #include "replay/session/state_source.h"
 #include "src/base/check.h"
@@ -66,6 +67,10 @@ Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_
   Result<Separation> separation =
       measure_separation(steps_of(a), steps_of(b), first_difference, last, progress, &channels);
   if (!separation.ok()) return separation.error();
+  if (separation->contacts_from && separation->contacts_by_value && tells_contacts(a) != tells_contacts(b)) {
+    separation->compares_contacts = false;  // one recorder told none
+    separation->contacts_from.reset();
+  }
   DivergenceGrowth growth{*std::move(separation), {}, {}};
   if (a.first_state() != b.first_state()) {
     growth.not_measured = "the two begin with different steps";

@@ -92,6 +92,29 @@ bool dt_varies(LogReader& log) {
   return false;
 }
 
+Status read_start(LogReader& log, std::uint64_t from, StepRecord& start) {
+  Result<const StepRecord*> record = log.read_step(from);
+  if (!record.ok()) return record.error();
+  start.step = from;
+  start.state_hash = (*record)->state_hash;
+  start.has_states = (*record)->has_states;
+  start.states = (*record)->states;
+  start.extras = (*record)->extras;
+  return {};
+}
+
+bool tells_contacts(LogReader& log) {
+  if (!log.header().declared.start.contacts.empty()) return true;
+  for (const ChunkPlace& place : log.chunks()) {
+    for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) {
+      const Result<const StepRecord*> record = log.read_hashes(k);
+      if (!record.ok()) break;  // the rest of the chunk cannot be read either
+      if (!(*record)->extras.contacts.empty()) return true;
+    }
+  }
+  return false;
+}
+
 void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts) {
   const auto begins_with = [](const LogReader& log, sim::BodyId id) {
     return std::ranges::binary_search(log.header().declared.bodies, id, {}, &BodyInfo::id);

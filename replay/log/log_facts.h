@@ -36,6 +36,13 @@ LogFacts collect_facts(LogReader& log, const Progress& progress = {});
 /// Whether the readable steps of a log differ in length. Reads no more of it than it needs to say so.
 bool dt_varies(LogReader& log);
 
+/// Reads a state, without the inputs and phases that led there.
+Status read_start(LogReader& log, std::uint64_t from, StepRecord& start);
+
+/// Whether any readable state or step of another engine's log has a contact. Reads no more of it than it needs to say
+/// so.
+bool tells_contacts(LogReader& log);
+
 /// Adds "its shape of body 7" for each body that appears after the start of both logs and is no box in the one, and of
 /// another shape in the other. Reads both logs for them. Bodies that one log alone has are a difference of states.
 void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts);

@@ -19,7 +19,8 @@ struct Told {
   double lower = 0;  // m, from step 4 on
   bool channel = true;
   bool hashes_only = false;
-  bool is_left = false;  // the recorder is never closed
+  bool is_left = false;   // the recorder is never closed
+  bool contacts = false;  // the ground, from step 2 on
 };
 
 /// One body that falls; its channel `angle` is 0 or "0".
@@ -45,6 +46,9 @@ void import_stream(const Workshop& shop, const std::string& name, const Told& to
     tumble_rec_state(rec, 1, &body.state);
     if (told.channel && told.type == TUMBLE_REC_TEXT) tumble_rec_text(rec, angle, 0, "0");
     if (told.channel && told.type == TUMBLE_REC_F64) tumble_rec_f64(rec, angle, 0, 0);
+    const TumbleRecPoint point = {{0, 0, 4.5}, 0, 1};
+    const TumbleRecContact contact = {1, 0, 0, {0, 0, -1}, &point, 1};
+    if (told.contacts && k >= 2) tumble_rec_contact(rec, &contact);
     tumble_rec_step_end(rec);
   }
   if (told.is_left) {
@@ -69,6 +73,29 @@ TEST(KeptApart, OneStepOfAChannelOfAnotherKindIsNotTheSame) {
   bool named = false;
   for (const json& row : found["values"]) named |= row["name"] == "channel.angle" && row["same"] == false;
   EXPECT_TRUE(named) << found["values"].dump();
+}
+
+TEST(KeptApart, ContactsThatOneRecorderToldAreNoDifferenceOfAStep) {
+  const Workshop shop;
+  import_stream(shop, "a", {});
+  import_stream(shop, "b", {.contacts = true});
+  import_stream(shop, "c", {.lower = 1, .contacts = true});
+  const Outcome told = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(told.exit, 1);
+  EXPECT_NE(told.out.find("different in what was recorded: only b.tumble has contacts; the 6 steps of both are the "
+                          "same in all else that was compared"),
+            std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find("contacts: only the second log has any"), std::string::npos) << told.out;
+  EXPECT_EQ(shop.run({"diff", "b.tumble", "a.tumble", "--shared"}).exit, 0);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--brief"}).exit, 1);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--tolerance", "position=1e-3"}).exit, 0);
+  for (const char* brief : {"--json", "--brief"}) {
+    const Outcome moved = shop.run({"diff", "a.tumble", "c.tumble", "--json", brief});
+    EXPECT_EQ(json::parse(moved.out)["first"]["step"], 4) << moved.out;
+  }
+  const Outcome moved = shop.run({"diff", "a.tumble", "c.tumble"});
+  EXPECT_NE(moved.out.find(" not compared\n  freezing"), std::string::npos) << moved.out;
 }
 
 TEST(KeptApart, ASessionThatMayHaveGoneOnIsSaidToBeSo) {
