@@ -1,5 +1,6 @@
 // Pictures: the cost of a frame and of each of its passes; for passes the processor time, the least of 20.
 // Usage: render_bench LOG STEP [WIDTH HEIGHT SAMPLES]
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -21,12 +22,17 @@ int fail(const Error& error) {
   return 2;
 }
 
+// A picture that cannot be drawn has no time: ends the program.
+void draw(render::Renderer& renderer, const render::Snapshot& snapshot) {
+  if (const auto picture = renderer.draw(snapshot); !picture.ok()) std::exit(fail(picture.error()));
+}
+
 // Frames without waiting for each pass: wall and CPU milliseconds a frame.
 void print_frames(render::Renderer& renderer, const render::Snapshot& snapshot, int frames) {
   renderer.measure_passes(false);
   const Clock::time_point start = Clock::now();
   const std::clock_t cpu_start = std::clock();
-  for (int i = 0; i < frames; ++i) static_cast<void>(renderer.draw(snapshot).ok());
+  for (int i = 0; i < frames; ++i) draw(renderer, snapshot);
   const double cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   std::printf("frame      %7.2f ms, CPU %7.2f ms\n", seconds_since(start) * 1000 / frames, cpu * 1000 / frames);
 }
@@ -38,7 +44,7 @@ void print_passes(render::Renderer& renderer, const render::Snapshot& snapshot, 
   least.fill(1e9);
   renderer.measure_passes(true);
   for (int i = 0; i < frames; ++i) {
-    static_cast<void>(renderer.draw(snapshot).ok());
+    draw(renderer, snapshot);
     for (std::size_t k = 0; k < 6; ++k) least[k] = std::min(least[k], renderer.pass_seconds()[k]);
   }
   for (std::size_t k = 0; k < 6; ++k) std::printf("%-11s %6.2f ms\n", kNames[k], least[k] * 1000);

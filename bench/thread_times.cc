@@ -17,7 +17,8 @@ constexpr int kStepsMin = 20;
 
 double median(std::vector<double> values) {
   std::ranges::sort(values);
-  return values[values.size() / 2];
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 double seconds_of(const sim::WorldState& state, unsigned threads, int steps) {

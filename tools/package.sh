@@ -23,7 +23,10 @@ cmake --build --preset package --parallel "${TUMBLE_JOBS:-$(nproc)}" --target al
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cpack --config build/package/CPackConfig.cmake -B "$work" -G 'DEB;TZST'
-rm -f "$folder"/{*.deb,*.tar.zst}
+made=$(cd "$work" && printf '%s\n' *.deb *.tar.zst)
+# Of another version; other packages that lie there stay.
+rm -f "$folder"/{tumble,tumble-live,libtumble-dev,python3-tumble}_*.deb "$folder"/tumble-*-linux-*.tar.zst
 mv "$work"/*.deb "$work"/*.tar.zst "$folder"
 cd "$folder"
-sha256sum -- *.deb *.tar.zst
+mapfile -t made <<<"$made"
+sha256sum -- "${made[@]}"

@@ -13,7 +13,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
+#include "golden/suite/text_files.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "src/files/output_file.h"
@@ -136,8 +138,14 @@ double median(std::vector<double> values) {
 
 std::string short_number(double value) {
   if (value == 0) return "0";
+  if (!std::isfinite(value)) return exact(value);
   const int before = static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
   return fixed(value, std::clamp(3 - before, 0, 9));
+}
+
+std::string printed_in(const std::string& path) {
+  Result<std::string> text = golden::read_text(path);
+  return text.ok() ? *std::move(text) : std::string();
 }
 
 }  // namespace tumble::tools

@@ -62,7 +62,10 @@ double cpu_seconds();
 
 double median(std::vector<double> values);
 
-/// "0.0123", "41.9": three digits, no exponent.
+/// "0.0123", "41.9": three digits, no exponent; "inf" and the like of what is no finite number.
 std::string short_number(double value);
+
+/// The text of a file that a program printed to; empty where it cannot be read.
+std::string printed_in(const std::string& path);
 
 }  // namespace tumble::tools

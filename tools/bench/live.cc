@@ -1,9 +1,7 @@
 // tumble bench live: frames a second of the window, simulation included.
 #include <array>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,12 +32,6 @@ const std::array<LiveScene, 2>& live_scenes() {
 constexpr double kSecondsEach = 10;
 constexpr std::uint64_t kInputFramesMost = 2;
 
-std::string text_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 Result<Json> measure(const LiveScene& scene, double seconds) {
   const std::string helper = helper_program("tumble-live");
   if (helper.empty()) {
@@ -55,11 +47,11 @@ Result<Json> measure(const LiveScene& scene, double seconds) {
   program.err = file("err");
   const Result<process::ChildEnd> end = process::run_child(program, seconds * 10 + 120);
   if (!end.ok()) return end.error();
-  std::string complaint = text_of(program.err);
+  std::string complaint = printed_in(program.err);
   while (complaint.ends_with('\n')) complaint.pop_back();
   if (!end->well())
     return cannot_finish("live: the window " + end->text() + (complaint.empty() ? "" : ": " + complaint));
-  Json json = Json::parse(text_of(program.out), nullptr, false);
+  Json json = Json::parse(printed_in(program.out), nullptr, false);
   if (json.is_discarded() || !json.contains("measured")) return cannot_finish("live: the window reported no figures");
   Json row = json["measured"];
   row["scene"] = scene.name;

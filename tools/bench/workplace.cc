@@ -7,10 +7,9 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "src/process/child.h"
+#include "tools/bench/bench.h"
 
 namespace tumble::tools {
 namespace {
@@ -48,9 +47,7 @@ Result<ProgramRun> Workplace::run(const std::vector<std::string>& arguments) con
   run.exit = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   run.cpu = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   run.megabytes = static_cast<double>(used.ru_maxrss) * 1024 / 1e6;
-  std::ostringstream text;
-  text << std::ifstream(program.err).rdbuf();
-  run.err = text.str();
+  run.err = printed_in(program.err);
   return run;
 }
 

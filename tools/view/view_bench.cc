@@ -36,12 +36,12 @@ constexpr auto kBetween = std::chrono::milliseconds(20);
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A folder that goes with this object, and the server in it.
-class Workplace {
+class ServerPlace {
  public:
-  Workplace() = default;
-  ~Workplace() { end_server(); }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
+  ServerPlace() = default;
+  ~ServerPlace() { end_server(); }
+  ServerPlace(const ServerPlace&) = delete;
+  ServerPlace& operator=(const ServerPlace&) = delete;
 
   [[nodiscard]] std::string file(const char* name) const { return (folder_.path() / name).string(); }
 
@@ -89,11 +89,7 @@ class Workplace {
   }
 
  private:
-  [[nodiscard]] std::string text(const char* name) const {
-    std::ostringstream text;
-    text << std::ifstream(file(name)).rdbuf();
-    return text.str();
-  }
+  [[nodiscard]] std::string text(const char* name) const { return printed_in(file(name)); }
   [[nodiscard]] process::Program program_of(std::vector<std::string> words) const {
     process::Program program;
     std::error_code error;
@@ -122,7 +118,7 @@ double at_share(std::vector<double> values, double share) {
 }
 
 /// Single states, each in another chunk than the one before.
-Result<Json> seek(HttpClient& client, const Workplace& place) {
+Result<Json> seek(HttpClient& client, const ServerPlace& place) {
   const double cpu = place.cpu();
   std::vector<double> seconds;
   for (std::size_t i = 0; i < kSeeks; ++i) {
@@ -150,7 +146,7 @@ Result<Json> ask_slowly(HttpClient& client) {
   return Json{{"median", median(seconds)}, {"most", at_share(seconds, 1)}};
 }
 
-Result<Json> measure(Workplace& place, const std::string& side) {
+Result<Json> measure(ServerPlace& place, const std::string& side) {
   const std::string log = place.file("grid.tumble");
   if (Status ok = place.run({"record", "layered_grid", "--set", "grid.rows=" + side, "--set", "grid.cols=" + side,
                              "--steps", std::to_string(kSteps), "--quiet", "-o", log});
@@ -221,7 +217,7 @@ Result<Exit> bench_view(const BenchOptions& options) {
     return cannot_finish("view: this program was built without libcpp-httplib-dev and serves no page");
   const Result<std::string> side = grid_side(options, kSide);
   if (!side.ok()) return side.error();
-  Workplace place;
+  ServerPlace place;
   const Result<Json> row = measure(place, *side);
   if (!row.ok()) return row.error();
   const Json results = {{"bench", "view"}, {"machine", machine_json()}, {"row", *row}};
