@@ -212,3 +212,14 @@ def test_a_closed_log_says_so(wall):
     with pytest.raises(tumble.BadInput):
         pickle.dumps(log)
     log.close()
+
+
+def test_channels_are_listed_with_numbers_in_the_order_of_their_values(tmp_path):
+    path = tmp_path / "numbered.tumble"
+    body = {"position": numpy.zeros((1, 3)), "velocity": numpy.zeros((1, 3))}
+    with tumble.Recorder(path, engine="test", bodies=[{}], channels={"q[10]": "m", "q[2]": "m", "a": ""}) as log:
+        log.step(**body, channels={"q[10]": 10.0, "q[2]": 2.0, "a": 1.0})
+    read = tumble.Log(path)
+    assert list(read.channels) == ["a", "q[2]", "q[10]"]
+    assert read.steps[1].channels == {"a": 1, "q[2]": 2, "q[10]": 10}
+    assert read.channels["q[10]"][1]["value"].tolist() == [10]

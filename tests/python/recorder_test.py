@@ -290,13 +290,3 @@ def test_a_step_that_cannot_be_read_is_no_step(tmp_path, unread):
             log.step(**{**zeros(), **unread})
         log.step(**zeros())
     assert tumble.Log(tmp_path / "on.tumble").last_step == 2
-
-
-def test_channels_are_listed_with_numbers_in_the_order_of_their_values(tmp_path):
-    path = tmp_path / "numbered.tumble"
-    with recorder(path, channels={"q[10]": "m", "q[2]": "m", "a": ""}) as log:
-        log.step(**zeros(), channels={"q[10]": 10.0, "q[2]": 2.0, "a": 1.0})
-    read = tumble.Log(path)
-    assert list(read.channels) == ["a", "q[2]", "q[10]"]
-    assert read.steps[1].channels == {"a": 1, "q[2]": 2, "q[10]": 10}
-    assert read.channels["q[10]"][1]["value"].tolist() == [10]
