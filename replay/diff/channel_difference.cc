@@ -194,14 +194,6 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
   return match;
 }
 
-bool leave_out_contacts_of_one(bool in_a, bool in_b, ChannelMatch& match, OnlyInOne& only_in) {
-  if (in_a == in_b || !match.contacts) return false;
-  match.contacts = match.equal = false;
-  match.contacts_why = std::string("contacts: only the ") + (in_a ? "first" : "second") + " log has any";
-  (in_a ? only_in.a : only_in.b).emplace_back("contacts");
-  return true;
-}
-
 std::vector<std::string> names_of(const ChannelMatch& match) {
   std::vector<std::string> names;
   for (const SharedChannel& channel : match.compared) names.push_back(channel.name);
@@ -300,9 +292,7 @@ std::vector<std::string> left_out(const ChannelMatch& match, const DerivedValues
   if (derived.velocity) parts.emplace_back("velocities: the import derived them from positions");
   if (derived.spin) parts.emplace_back("spins: the import derived them from orientations");
   if (!imported || (match.contacts && tolerances.exact())) return parts;
-  const std::string why =
-      match.contacts_why.empty() ? "contacts of the engines: the logs are of two engines" : match.contacts_why;
-  parts.push_back(match.contacts ? "contacts of the engine: tolerances leave them out" : why);
+  parts.push_back(match.contacts ? "contacts of the engine: tolerances leave them out" : match.contacts_why);
   return parts;
 }
 

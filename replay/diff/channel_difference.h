@@ -28,7 +28,7 @@ struct ChannelMatch {
   std::vector<SharedChannel> compared;
   std::vector<std::string> passed_over;  ///< for people: name and reason of each channel that is not compared
   bool contacts = true;                  ///< contacts are compared too
-  std::string contacts_why;              ///< why they are not, for people; empty: of two engines
+  std::string contacts_why = "contacts of the engines: the logs are of two engines";  ///< why they are not, for people
   /// Channels of one engine that hold values of other kinds in the two logs, as text and numbers: differences.
   std::vector<Divergence> other_kinds;
   bool equal = true;  ///< both logs declare the same channels and all is compared, so chains can be compared
@@ -43,7 +43,13 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
 
 /// Of one engine: leaves contacts out where one log alone has any, and names them in `only_in`. Its recorder told none,
 /// as it tells no channel that it lacks. Returns whether it did.
-bool leave_out_contacts_of_one(bool in_a, bool in_b, ChannelMatch& match, OnlyInOne& only_in);
+inline bool leave_out_contacts_of_one(bool in_a, bool in_b, ChannelMatch& match, OnlyInOne& only_in) {
+  if (in_a == in_b || !match.contacts) return false;
+  match.contacts = match.equal = false;
+  match.contacts_why = std::string("contacts: only the ") + (in_a ? "first" : "second") + " log has any";
+  (in_a ? only_in.a : only_in.b).emplace_back("contacts");
+  return true;
+}
 
 /// Whether two lists of contacts agree in every bit.
 bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b);

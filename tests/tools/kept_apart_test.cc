@@ -75,6 +75,17 @@ TEST(KeptApart, OneStepOfAChannelOfAnotherKindIsNotTheSame) {
   EXPECT_TRUE(named) << found["values"].dump();
 }
 
+// An engine that looks at no status of the recorder learns from `import` where the reason is.
+TEST(KeptApart, AStreamThatARefusedCallEndedSaysWhoTellsTheReason) {
+  const Workshop shop;
+  import_stream(shop, "left", {.is_left = true});
+  const Outcome run = shop.run({"import", "left.tumblestream", "-o", "again.tumble"});
+  EXPECT_NE(run.err.find("where the engine went on, the recorder refused a call or could not write, and "
+                         "tumble_rec_message() says why"),
+            std::string::npos)
+      << run.err;
+}
+
 TEST(KeptApart, ContactsThatOneRecorderToldAreNoDifferenceOfAStep) {
   const Workshop shop;
   import_stream(shop, "a", {});

@@ -92,8 +92,9 @@ void advise_about_tail(const StreamFiles& files, const StreamReader& stream, rep
     return;
   }
   done.warnings.push_back(tail +
-                          ": found no such file; if there is one beside the original stream, put it here: it has " +
-                          "the last steps");
+                          ": found no such file; if there is one beside the original stream, put it here: it has "
+                          "the last steps; where the engine went on, the recorder refused a call or could not write, "
+                          "and tumble_rec_message() says why");
 }
 
 }  // namespace
