@@ -19,13 +19,13 @@ std::string bound_text(const MetricResult& metric) {
   return text;
 }
 
-/// Distance of the value from its nearer bound; negative outside.
+/// Distance of the value from its nearer bound; negative outside. A value that is no finite number has none.
 std::string margin_text(const MetricResult& metric) {
-  if (!metric.value) return "–";
+  if (!metric.value || !std::isfinite(*metric.value)) return "–";
   double margin = INFINITY;
   if (metric.rule.min) margin = std::min(margin, *metric.value - *metric.rule.min);
   if (metric.rule.max) margin = std::min(margin, *metric.rule.max - *metric.value);
-  return rounded(margin, metric.unit);
+  return std::isfinite(margin) ? rounded(margin, metric.unit) : "–";
 }
 
 std::string choice_text(const MetricRule& rule) {

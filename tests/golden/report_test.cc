@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "golden/judge/across_cases.h"
@@ -123,6 +124,23 @@ TEST(AcrossCases, EachCaseIsCountedInOneSentence) {
   EXPECT_EQ(sentences({1, 1, 1, 9}), Words{"3 of 4 first differ in step 1, phase integrate"});
   EXPECT_EQ(sentences({1, 1, 5, 5, 9}), Words{"5 of 5 first differ in phase integrate, in steps 1 to 9"});
   EXPECT_EQ(sentences({4, 30}), Words{"2 of 2 first differ in phase integrate, in steps 4 to 30"});
+}
+
+TEST(ReportPage, AValueThatIsNoNumberHasNoMargin) {
+  SuiteResult result;
+  CaseResult& one = result.cases.emplace_back();
+  one.name = "lost";
+  MetricResult& metric = one.metrics.emplace_back();
+  metric.rule.name = "drift_max";
+  metric.rule.max = 1;
+  metric.unit = "m";
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    metric.value = value;
+    const std::string page = report_html(result, testing::TempDir());
+    EXPECT_EQ(count(page, "data-name=\"margin\">–<"), 1U) << value;
+  }
+  metric.value = 0.25;
+  EXPECT_EQ(count(report_html(result, testing::TempDir()), "data-name=\"margin\">0.75 m<"), 1U);
 }
 
 TEST(ReportPage, OfAPassingRunNeedsNoScript) {

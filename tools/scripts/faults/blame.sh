@@ -135,4 +135,4 @@ for ((k = 0; k < ${#names[@]}; ++k)); do
 done
 ((${#missed[@]} == 0)) || printf 'not named: %s\n' "${missed[*]}"
 printf 'blame names the phase of %d of %d faults within five answers\n' "$named" "$seen"
-((10 * named >= 9 * seen))
+((seen > 0 && 10 * named >= 9 * seen))
