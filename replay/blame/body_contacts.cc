@@ -115,7 +115,7 @@ class ContactsObserver : public sim::Observer {
         contact.twist = batch.twist.of[lane];
         for (unsigned k = 0; k < m.count; ++k) {
           const sim::PointBatch& point = all.points[batch.first + k];
-          add_point(contact, place_of(m, world.bodies(), point.p.of[lane], point.q.of[lane]),
+          add_point(contact, place_of(m, world.bodies(), point.p.of[lane], point.q.of[lane], batch.offset.of[lane]),
                     -point.separation.of[lane], point.impulse.of[lane], point.load.of[lane]);
         }
         out_.contacts.push_back(contact);
@@ -131,9 +131,9 @@ class ContactsObserver : public sim::Observer {
     return contact;
   }
 
-  // A point of a manifold in the world.
-  static sim::Vec3 place_of(const sim::Manifold& m, const sim::Bodies& bodies, double p, double q) {
-    return bodies.position[m.b] + (m.t1 * p + m.t2 * q + m.n * m.offset);
+  // A point of a manifold in the world. offset: m, as Manifold::offset.
+  static sim::Vec3 place_of(const sim::Manifold& m, const sim::Bodies& bodies, double p, double q, double offset) {
+    return bodies.position[m.b] + (m.t1 * p + m.t2 * q + m.n * offset);
   }
 
   static void add_point(BodyContact& contact, const sim::Vec3& place, double depth, double impulse, double load) {
@@ -153,7 +153,8 @@ class ContactsObserver : public sim::Observer {
       contact.friction = m.d * (m.b == row_ ? 1.0 : -1.0);
       contact.twist = m.twist;
       for (const sim::ManifoldPoint& point : points) {
-        add_point(contact, place_of(m, world.bodies(), point.p, point.q), -point.separation, point.impulse, point.load);
+        add_point(contact, place_of(m, world.bodies(), point.p, point.q, m.offset), -point.separation, point.impulse,
+                  point.load);
       }
       out_.contacts.push_back(contact);
     }

@@ -41,17 +41,6 @@ sim::Vec3 gain_by_impulses(const sim::ContactBatches& all, const sim::ContactBat
   return force * body.inverse_mass - body.lent * sim::dot(body.lent, force);
 }
 
-// m in one substep, by the velocities with which the bodies were moved.
-double way_of_point(const sim::ContactBatches& all, const sim::ContactBatch& batch, const sim::PointBatch& point,
-                    unsigned lane, const std::vector<sim::SolverBody>& bodies, double substep_s) {
-  const sim::BatchSides& sides = all.sides[static_cast<std::size_t>(&batch - all.batches.data())];
-  const sim::SolverBody &a = bodies[sides.a[lane]], &b = bodies[sides.b[lane]];
-  const sim::Vec3 n = lane_vector(batch.n, lane), spin = b.spin - a.spin;
-  const sim::Vec3 motion = (b.velocity - a.velocity) - sim::cross(a.spin, lane_vector(batch.d, lane));
-  const double w1 = sim::dot(spin, lane_vector(batch.t1, lane)), w2 = sim::dot(spin, lane_vector(batch.t2, lane));
-  return substep_s * (sim::dot(motion, n) + (w1 * point.q.of[lane] - w2 * point.p.of[lane]));
-}
-
 }  // namespace
 
 // A substep begins with the impulses of the one before (warm starting).
@@ -88,49 +77,58 @@ void PhaseRules::carries_impulses(std::uint32_t substep, const sim::World& world
   }
 }
 
-void PhaseRules::note_separations(const sim::World& world) {
+void PhaseRules::note_points(const sim::World& world) {
   const sim::Scratch& scratch = world.scratch();
-  separations_.clear();
+  points_.clear();
   for_each_lane(scratch.contact_batches, scratch.manifolds, row_,
                 [&](const sim::ContactBatch& batch, unsigned lane, const sim::Manifold& /*m*/) {
                   for (unsigned k = 0; k < batch.count; ++k) {
-                    separations_.push_back(scratch.contact_batches.points[batch.first + k].separation.of[lane]);
+                    const sim::PointBatch& point = scratch.contact_batches.points[batch.first + k];
+                    points_.push_back(
+                        {point.separation.of[lane], point.p.of[lane], point.q.of[lane], lane_vector(batch.d, lane)});
                   }
                 });
 }
 
-// The separation of a point changes by the way that the bodies go at the point. Fast pairs may wait and are left out.
+// The separation of a point changes by the way that the bodies go at the point, by the velocities with which they were
+// moved. Fast pairs may wait and are left out.
 void PhaseRules::moves_separations(std::uint32_t substep, const sim::World& world) {
   const sim::Scratch& scratch = world.scratch();
-  const sim::WorldDef& def = world.state().def;
+  const sim::ContactBatches& all = scratch.contact_batches;
+  const double substep_s = world.state().def.dt / world.state().def.substeps;
   std::size_t at = 0;
-  for_each_lane(scratch.contact_batches, scratch.manifolds, row_,
-                [&](const sim::ContactBatch& batch, unsigned lane, const sim::Manifold& m) {
-                  for (unsigned k = 0; k < batch.count && at < separations_.size(); ++k, ++at) {
-                    const sim::PointBatch& point = scratch.contact_batches.points[batch.first + k];
-                    if (k >= m.count) continue;
-                    const double way = way_of_point(scratch.contact_batches, batch, point, lane, scratch.solver_bodies,
-                                                    def.dt / def.substeps);
-                    const double moved = point.separation.of[lane] - separations_[at];
-                    if (!(std::fabs(moved - way) > kSpeedPart * std::fabs(way) + kSeparationOff)) continue;
-                    add({.substep = substep,
-                         .phase = "integrate_positions",
-                         .body = ids_[row_],
-                         .other = id_of(m.a == row_ ? m.b : m.a),
-                         .value = "separation",
-                         .unit = "m",
-                         .wanted = separations_[at] + way,
-                         .found = point.separation.of[lane],
-                         .text = "a point moved by " + rounded(way, "m") +
-                                 " along the normal, but its separation changed by " + rounded(moved, "m")});
-                  }
-                });
+  for_each_lane(
+      all, scratch.manifolds, row_, [&](const sim::ContactBatch& batch, unsigned lane, const sim::Manifold& m) {
+        const sim::BatchSides& sides = all.sides[static_cast<std::size_t>(&batch - all.batches.data())];
+        const sim::SolverBody &a = scratch.solver_bodies[sides.a[lane]], &b = scratch.solver_bodies[sides.b[lane]];
+        const sim::Vec3 spin = b.spin - a.spin;
+        const double w1 = sim::dot(spin, lane_vector(batch.t1, lane)), w2 = sim::dot(spin, lane_vector(batch.t2, lane));
+        for (unsigned k = 0; k < batch.count && at < points_.size(); ++k, ++at) {
+          if (k >= m.count) continue;
+          const PointBefore& before = points_[at];
+          const sim::Vec3 motion = (b.velocity - a.velocity) - sim::cross(a.spin, before.d);
+          const double way =
+              substep_s * (sim::dot(motion, lane_vector(batch.n, lane)) + (w1 * before.q - w2 * before.p));
+          const double now = all.points[batch.first + k].separation.of[lane], moved = now - before.separation;
+          if (!(std::fabs(moved - way) > kSpeedPart * std::fabs(way) + kSeparationOff)) continue;
+          add({.substep = substep,
+               .phase = "integrate_positions",
+               .body = ids_[row_],
+               .other = id_of(m.a == row_ ? m.b : m.a),
+               .value = "separation",
+               .unit = "m",
+               .wanted = before.separation + way,
+               .found = now,
+               .text = "a point moved by " + rounded(way, "m") + " along the normal, but its separation changed by " +
+                       rounded(moved, "m")});
+        }
+      });
 }
 
 void PhaseRules::look_layered(std::uint32_t substep, const std::string& phase, const sim::World& world,
                               const std::vector<ContactPart>& parts) {
   if (phase == "apply_forces") carries_impulses(substep, world, parts);
-  if (phase == "push_contacts") note_separations(world);
+  if (phase == "push_contacts") note_points(world);
   if (phase == "integrate_positions") moves_separations(substep, world);
 }
 

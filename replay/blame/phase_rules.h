@@ -61,7 +61,7 @@ class PhaseRules {
   void look_layered(std::uint32_t substep, const std::string& phase, const sim::World& world,
                     const std::vector<ContactPart>& parts);
   void carries_impulses(std::uint32_t substep, const sim::World& world, const std::vector<ContactPart>& parts);
-  void note_separations(const sim::World& world);
+  void note_points(const sim::World& world);
   void moves_separations(std::uint32_t substep, const sim::World& world);
 
   // Method thesis (thesis_rules.cc).
@@ -74,7 +74,12 @@ class PhaseRules {
 
   sim::BodyIndex row_ = 0;
   std::vector<sim::BodyId> ids_;
-  std::vector<double> separations_;  // m, of the body's points, as push_contacts left them
+  // A point of the body as push_contacts left it, m; its levers, which turn when the bodies have moved.
+  struct PointBefore {
+    double separation = 0, p = 0, q = 0;
+    sim::Vec3 d = sim::Vec3::Zero();
+  };
+  std::vector<PointBefore> points_;
   std::map<std::pair<sim::BodyIndex, sim::BodyIndex>, std::uint16_t> planes_;  // of all pairs, when a substep ended
   std::vector<BrokenRule> broken_;
 };

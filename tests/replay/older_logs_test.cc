@@ -71,6 +71,7 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_12_layered",
                            "format_1.3_methods_13_layered",
                            "format_1.3_methods_14_layered",
+                           "format_1.3_methods_15_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_8_thesis",
@@ -102,7 +103,7 @@ TEST(OlderLogs, OfOtherVersionsOfTheMethodsAreReplayedWithANote) {
   for (const char* name :
        {"format_1.3_methods_7_layered", "format_1.3_hashes_7_layered", "format_1.3_hashes_8_layered"})
     expect_note(name, 7);
-  for (const int version : {8, 9, 10, 11, 12}) {
+  for (const int version : {8, 9, 10, 11, 12, 14}) {
     expect_note("format_1.3_methods_" + std::to_string(version) + "_layered", version);
   }
 }
@@ -116,7 +117,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_14_layered"}) {
+  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_15_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }

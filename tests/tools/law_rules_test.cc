@@ -19,10 +19,10 @@ void write_case(const Workshop& shop, const std::string& name, const std::string
   shop.write("golden/cases/" + name + "/metrics.toml", "require = [\"behaviour\"]\n" + laws + kLost);
 }
 
-// A scene in which a body that meets nothing is pushed.
+// A scene that gains energy.
 TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
   const Workshop shop;
-  const std::string scene = std::string(TUMBLE_SOURCE_DIR) + "/tests/data/hunt_known/unmet_1_6822.toml";
+  const std::string scene = std::string(TUMBLE_SOURCE_DIR) + "/tests/data/hunt_known/energy_1_10994.toml";
   ASSERT_EQ(
       shop.run_after("mkdir -p golden/cases/ghost; cp '" + scene + "' golden/cases/ghost/scene.toml; ", {"--version"})
           .exit,
@@ -32,25 +32,25 @@ TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
   ASSERT_EQ(shop.run({"check", "ghost"}).exit, 0);
   // The blessed values stay, so that nothing but the law can fail the case.
   const std::string blessed = shop.read("golden/cases/ghost/metrics.toml");
-  shop.write("golden/cases/ghost/metrics.toml", blessed + "\n[laws]\nunmet = true\n");
+  shop.write("golden/cases/ghost/metrics.toml", blessed + "\n[laws]\nenergy = true\n");
   ASSERT_TRUE(holds(blessed, "value = ")) << blessed;
   const Outcome check = shop.run({"check", "ghost", "--report", "report", "--junit", "junit.xml", "--json"});
   EXPECT_EQ(check.exit, 1) << check.out << check.err;
   const Json json = Json::parse(check.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << check.out;
   const Json law = json.at("cases").at(0).at("metrics").at(1);
-  EXPECT_EQ(law.at("name"), "unmet");
+  EXPECT_EQ(law.at("name"), "energy");
   EXPECT_EQ(law.at("group"), "law");
   EXPECT_EQ(law.at("pass"), false);
   EXPECT_GT(law.at("value"), law.at("max"));
   const std::string words = law.at("words");
-  EXPECT_TRUE(holds(words, "body ") && holds(words, ", allowed ")) << words;
-  EXPECT_TRUE(holds(shop.read("junit.xml"), "unmet: step ")) << shop.read("junit.xml");
-  EXPECT_TRUE(holds(shop.read("report/index.html"), "what does not meet pushes nothing"));
-  EXPECT_TRUE(holds(shop.run({"check", "ghost"}).out, "laws not held: unmet"));
+  EXPECT_TRUE(holds(words, "energy was gained") && holds(words, ", allowed ")) << words;
+  EXPECT_TRUE(holds(shop.read("junit.xml"), "energy: step ")) << shop.read("junit.xml");
+  EXPECT_TRUE(holds(shop.read("report/index.html"), "energy is never gained"));
+  EXPECT_TRUE(holds(shop.run({"check", "ghost"}).out, "laws not held: energy"));
   const Outcome refused = shop.run({"bless", "ghost", "--reason", "again"});
   EXPECT_EQ(refused.exit, 2) << refused.out;
-  EXPECT_TRUE(holds(refused.err, "unmet: step ") && holds(refused.err, "out of [laws] in ")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "energy: step ") && holds(refused.err, "out of [laws] in ")) << refused.err;
 }
 
 TEST(LawRules, AreHeldOrNotJudged) {

@@ -108,7 +108,7 @@ Judgement judge_angular_momentum(const Trace& trace) {
     if (length(trace.begun(k).def.gravity) > 0) continue;
     for (const TouchingGroup& group : groups_of(trace, k)) {
       if (group.fixed || is_parted(trace.begun(k), group.bodies)) continue;
-      // Levers are those of the place where the step began: nothing is claimed where a body turns far in a step.
+      // Normals are those of the start of the step: nothing is claimed where a body turns far in a step.
       const bool meets = group.bodies.size() > 1;
       if (meets && std::ranges::any_of(group.bodies, [&](sim::BodyId id) {
             return length(begun.spin[*begun.find(id)]) * trace.steps[k].dt > kTurnMost;

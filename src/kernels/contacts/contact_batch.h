@@ -68,10 +68,14 @@ struct ContactBatch {
   std::uint8_t hard = 0;               ///< a bit a lane: the manifold belongs to a hard island (assign_levels)
   std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
+  bool levers_turned = false;          ///< by the last `prepare` or `move_on`, in a lane
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
   Lanes point_count;                   ///< of each manifold
-  Lanes n[3], t1[3], t2[3], d[3], offset;
+  Lanes n[3], t1[3], t2[3];
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic
+  // Levers, m, as they will be in the middle of the next substep. Like p and q of the points and the centre of friction
+  // they turn with the bodies (contact_levers_impl.h).
+  Lanes d[3], offset;
   Lanes friction, friction_dynamic, restitution;
   Lanes slop;  ///< m of overlap that is not removed
   Lanes force1, force2, twist;

@@ -47,6 +47,7 @@ struct ContactWork {
   double push_part = kPushPart;  ///< of an overlap, removed in that time
   Visit visit;
   bool leaves_old = false;  ///< solve() leaves old outcomes where a manifold is not due, instead of zeros
+  double turn_s = 0;        ///< for which `prepare` and `move_on` turn the levers of contacts; 0: not
 };
 
 /// How many of the manifolds of a layer were due.
@@ -55,6 +56,7 @@ enum class Due : std::uint8_t { kNone, kSome, kAll };
 /// The arithmetic of the solver over batches of manifolds.
 struct ContactKernels {
   /// Fills the fields that stay fixed during a step: masses, responses and approaches of points, friction centres.
+  /// Turns the levers.
   void (*prepare)(const ContactWork& work);
   /// Improves the impulses of the manifolds that are due, given the velocities of `bodies`; writes the changes to
   /// `outcomes`. kNone: `outcomes` is old. In kRestitution manifolds of batches that do not bounce are not due.
@@ -64,7 +66,7 @@ struct ContactKernels {
   /// Adds the outcomes of each body in `of` to its velocity and spin in `bodies`, and notes which bodies move. kSome:
   /// only those of manifolds that this visit has solved. Returns whether one of them moves.
   bool (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count, Due due);
-  /// Advances the separations by one substep with the velocities of `bodies`.
+  /// Advances the separations by one substep with the velocities of `bodies`, and turns the levers.
   void (*move_on)(const ContactWork& work);
   /// Computes masses and responses of the manifolds in ContactBatch::turns anew, after their bodies have turned.
   void (*renew)(const ContactWork& work);

@@ -4,6 +4,7 @@
 // this.
 
 #include "src/kernels/contacts/contact_lanes.h"
+#include "src/kernels/contacts/contact_levers_impl.h"
 
 namespace tumble::sim {
 namespace {
@@ -268,11 +269,16 @@ void prepare_responses(const Manifolds<V>& m) {
 
 template <class V>
 void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  const Manifolds<V> m(work, batch, at);
+  Manifolds<V> m(work, batch, at);
   batch.even = (at == 0 || batch.even) && all_of(is_even(m.a) & is_even(m.b));
   find_friction_centre(m, find_reach(m));
+  prepare_approaches(m);  // at the step's start
+  if (at == 0) batch.levers_turned = false;
+  if (work.turn_s > 0) {
+    turn_levers(m, work.turn_s);
+    m.d = m.space(batch.d);
+  }
   prepare_responses(m);
-  prepare_approaches(m);
   forget_impacts(m);
   foresee_impact(m);
   m.set(batch.absorbed, V{});

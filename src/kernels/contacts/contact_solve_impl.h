@@ -4,6 +4,7 @@
 
 #include "src/kernels/contacts/contact_friction_impl.h"
 #include "src/kernels/contacts/contact_lanes.h"
+#include "src/kernels/contacts/contact_levers_impl.h"
 
 namespace tumble::sim {
 namespace {
@@ -281,6 +282,8 @@ void move_on(const ContactWork& work, ContactBatch& batch, unsigned at) {
     const V speed = u + (w1 * m.get(point.q) - w2 * m.get(point.p));
     m.set(point.separation, m.get(point.separation) + work.substep_s * speed);
   }
+  if (at == 0) batch.levers_turned = false;
+  if (work.turn_s > 0) turn_levers(m, work.turn_s);
 }
 
 }  // namespace

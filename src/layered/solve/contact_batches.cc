@@ -62,7 +62,8 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
           substep_s,
           kPushPart,
           {},
-          false};
+          false,
+          0};
 }
 
 }  // namespace

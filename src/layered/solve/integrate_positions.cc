@@ -153,17 +153,17 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
                     [&](std::size_t begin, std::size_t end) { add_moved(bodies, scratch, begin, end, numbers); });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
-  // impulse is several times smaller, and sweeps with the old response would diverge. So it is with any body of a fast
-  // pair that turns by some tenths of a radian.
+  // impulse is several times smaller, and sweeps with the old response would diverge. So it is with light bodies whose
+  // levers turn far, and with any body of a fast pair that turns by some tenths of a radian.
   renew_copies(scratch);
-  const bool renews = has_hard(scratch);
-  const ContactWork work = all_contacts(scratch, substep_s);
+  ContactWork work = all_contacts(scratch, substep_s);
+  work.turn_s = substep_s;
   const auto move_points = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
-    if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
+    kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
   };
   for_hashed_batches(hasher, scratch, move_points, [&](std::size_t begin, std::size_t end) {
-    add_separations(scratch.contact_batches, begin, end, renews, numbers);
+    add_moved_contacts(scratch.contact_batches, begin, end, numbers);
   });
   numbers.pass_on();
   if (scratch.fast.none()) return {};
@@ -181,7 +181,7 @@ void hash_integrate_positions(const WorldState& state, const Scratch& scratch, H
   GatheredNumbers numbers(&hasher);
   add_moved(state.bodies, scratch, 0, state.bodies.size(), numbers);
   for (std::size_t k = 0; k < all.batches.size(); k += kBatchesABlock) {
-    add_separations(all, k, std::min(k + kBatchesABlock, all.batches.size()), has_hard(scratch), numbers);
+    add_moved_contacts(all, k, std::min(k + kBatchesABlock, all.batches.size()), numbers);
   }
   numbers.pass_on();
   if (!scratch.fast.none()) add_fast_batches(scratch, hasher);

@@ -65,7 +65,7 @@ void solve(const WorldState& state, Scratch& scratch, ContactWork work, double d
   };
   GatheredNumbers numbers(hasher);
   for_hashed_batches(hasher, scratch, move_on, [&](std::size_t begin, std::size_t end) {
-    add_separations(scratch.contact_batches, begin, end, false, numbers);
+    add_separations(scratch.contact_batches, begin, end, numbers);
   });
   end(scratch);
 }
@@ -138,7 +138,7 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
 void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   if (!scratch.overlaps_part) return;
   GatheredNumbers numbers(&hasher);
-  add_separations(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), false, numbers);
+  add_separations(scratch.contact_batches, 0, scratch.contact_batches.batches.size(), numbers);
   add_parting(state, scratch, 0, state.bodies.size(), numbers);
 }
 

@@ -77,7 +77,8 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   find_layer_reach(scratch);
   share_sweeps(state, scratch);
   if (hasher != nullptr) add_places(scratch, *hasher);
-  const ContactWork work = all_contacts(scratch, dt_s);
+  ContactWork work = all_contacts(scratch, dt_s);
+  work.turn_s = 0.5 * state.def.dt / state.def.substeps;  // to the middle of the first substep
   const auto prepare = [&](std::size_t begin, std::size_t end) {
     for (; begin < end; begin += kBatchesABlock) {
       const ContactWork block = part_of(work, begin, std::min(begin + kBatchesABlock, end));

@@ -13,6 +13,7 @@ static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(offsetof(SolverBody, spin) == 3 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
 static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 30 * sizeof(Lanes));
+static_assert(offsetof(PointBatch, q) == sizeof(Lanes));
 
 // Bytes [kBegin, kEnd) of a row.
 template <std::size_t kBegin, std::size_t kEnd, class Row>
@@ -43,9 +44,19 @@ std::span<const double> points_of_batch(const ContactBatches& all, const Contact
   return doubles_of(all.points, batch.first, batch.first + batch.count);
 }
 
+// Adds the columns that turn_levers writes.
+void add_levers(const ContactBatches& all, const ContactBatch& batch, GatheredNumbers& numbers) {
+  numbers.add(part_of_row<offsetof(ContactBatch, d), offsetof(ContactBatch, friction)>(batch));
+  numbers.add(part_of_row<offsetof(ContactBatch, centre_p), offsetof(ContactBatch, radius)>(batch));
+  for (std::uint32_t at = batch.first; at < batch.first + batch.count; ++at) {
+    numbers.add(part_of_row<offsetof(PointBatch, p), offsetof(PointBatch, load)>(all.points[at]));
+  }
+}
+
 void add_batch(const ContactBatches& all, const ContactBatch& batch, Hasher& hasher) {
   hasher.add(part_of_row<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(batch));
   hasher.add(points_of_batch(all, batch));
+  if (batch.levers_turned) hasher.add(part_of_row<offsetof(ContactBatch, d), offsetof(ContactBatch, friction)>(batch));
 }
 
 }  // namespace
@@ -88,17 +99,21 @@ void hash_solution(const Scratch& scratch, Hasher& hasher) {
   if (!scratch.fast.none()) add_fast_batches(scratch, hasher);
 }
 
-void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed,
-                     GatheredNumbers& numbers) {
+void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, GatheredNumbers& numbers) {
   for (std::size_t k = begin; k < end; ++k) {
     const ContactBatch& batch = all.batches[k];
     for (std::uint32_t at = batch.first; at < batch.first + batch.count; ++at) {
       std::memcpy(numbers.next(kLanes), &all.points[at].separation, sizeof(Lanes));
     }
   }
-  for (std::size_t k = begin; renewed && k < end; ++k) {
+}
+
+void add_moved_contacts(const ContactBatches& all, std::size_t begin, std::size_t end, GatheredNumbers& numbers) {
+  add_separations(all, begin, end, numbers);
+  for (std::size_t k = begin; k < end; ++k) {
     const ContactBatch& batch = all.batches[k];
-    if (!batch.hard) continue;
+    if (batch.levers_turned) add_levers(all, batch, numbers);
+    if (batch.turns == 0) continue;
     numbers.add(part_of_row<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(batch));
     numbers.add(points_of_batch(all, batch));
   }

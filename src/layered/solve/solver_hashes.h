@@ -20,6 +20,7 @@ void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t en
 void add_solver_velocities(const Scratch& scratch, Hasher& hasher);
 
 /// Adds every field of batches that `prepare` computes, and three that were copied: points, friction and restitution.
+/// Levers that no body has turned are those of find_manifolds.
 void add_batches(const ContactBatches& all, std::size_t begin, std::size_t end, Hasher& hasher);
 
 /// Adds the batches of fast pairs, in their order, with all that find_fast_contacts and its sweeps write.
@@ -28,8 +29,11 @@ void add_fast_batches(const Scratch& scratch, Hasher& hasher);
 /// Adds the results of a sweep: impulses and the velocities of the solver's bodies.
 void hash_solution(const Scratch& scratch, Hasher& hasher);
 
-/// Adds the separations of points and, of hard batches with `renewed`, all that add_batches adds.
-void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, bool renewed,
-                     GatheredNumbers& numbers);
+/// Adds the separations of points.
+void add_separations(const ContactBatches& all, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
+
+/// Adds the separations of points, levers that have turned and, of batches that `renew` computes anew, all that
+/// add_batches adds.
+void add_moved_contacts(const ContactBatches& all, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 
 }  // namespace tumble::sim

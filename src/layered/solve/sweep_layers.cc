@@ -112,9 +112,4 @@ void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visit
   });
 }
 
-bool has_hard(const Scratch& scratch) {
-  SIM_CHECK(!scratch.sweep_groups.empty());
-  return scratch.sweep_groups.back().hard;
-}
-
 }  // namespace tumble::sim

@@ -32,7 +32,4 @@ void warm_start_layers(Scratch& scratch, double substep_s);
 /// restitution.
 void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visits);
 
-/// Whether one of the awake islands is hard.
-bool has_hard(const Scratch& scratch);
-
 }  // namespace tumble::sim
