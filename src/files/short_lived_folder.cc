@@ -41,7 +41,7 @@ std::array<Row, 16> rows;
 static_assert(std::atomic<int>::is_always_lock_free);
 
 constexpr std::size_t kLetters = 6;  // that mkdtemp() chooses
-constexpr int kTriesMax = 100;
+constexpr int kFolderTriesMax = 100;
 constexpr int kDepthMax = 32;
 constexpr int kPassesMax = 1000;  // a folder that another process fills faster than this one empties it stays
 
@@ -93,7 +93,7 @@ int locked_folder(const char* name) {
 }
 
 /// The process that a folder of this stem was made by; none for another one.
-std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
+std::optional<pid_t> maker_of_folder(std::string_view name, std::string_view stem) {
   if (!name.starts_with(stem)) return std::nullopt;
   name.remove_prefix(stem.size());
   pid_t process = 0;
@@ -114,7 +114,7 @@ void remove_left_over(const char* name) {
 void sweep(const std::string& place, std::string_view stem) {
   std::error_code error;
   for (std::filesystem::directory_iterator at(place, error), end; !error && at != end; at.increment(error)) {
-    const std::optional<pid_t> maker = maker_of(at->path().filename().string(), stem);
+    const std::optional<pid_t> maker = maker_of_folder(at->path().filename().string(), stem);
     if (maker && ::kill(*maker, 0) != 0 && errno == ESRCH) remove_left_over(at->path().c_str());
   }
 }
@@ -135,7 +135,7 @@ void remember(const std::string& folder, int lock) {
 /// A folder that nobody took for left over before it was locked; that can only be a process that does not see this one,
 /// as one of another container.
 bool make_locked(const std::string& pattern, std::string& name, int& lock) {
-  for (int k = 0; k < kTriesMax; ++k) {
+  for (int k = 0; k < kFolderTriesMax; ++k) {
     name = pattern;
     if (::mkdtemp(name.data()) == nullptr) return false;
     lock = locked_folder(name.c_str());
