@@ -10,6 +10,7 @@
 #include "src/kernels/contacts/contact_renew_impl.h"
 #include "src/kernels/contacts/contact_solve_impl.h"
 #include "src/kernels/contacts/contact_visits_impl.h"
+#include "src/kernels/contacts/contact_warm_start_impl.h"
 #include "src/kernels/ground_collisions_impl.h"
 
 #ifndef TUMBLE_LANES

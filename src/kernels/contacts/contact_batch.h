@@ -22,6 +22,11 @@ inline constexpr double kBounceMin = 0.5, kFastBounceMin = 1.5 * kRestingSpeed;
 /// weights of the lighter body for a substep. Beyond that it has stopped a hit.
 inline constexpr double kBornePart = 2, kBorneWeights = 4;
 
+/// A substep may begin with so many times what stops two bodies as they close then, where one of them rests on
+/// something that rests: what lies above presses too. With all that stopped a hit in the substep before, columns that
+/// land throw their top back; with once as much they sink into themselves.
+inline constexpr double kHitStops = 3;
+
 /// m of overlap that is not removed; of a box thinner than 5 cm, this part of its smallest half extent.
 inline constexpr double kSlop = 0.0005, kSlopOfHalfExtent = 0.02;
 
@@ -81,7 +86,8 @@ struct ContactBatch {
   Lanes force1, force2, twist;
   Lanes sliding;    ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
   Lanes absorbed;   ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
-  Lanes passes_on;  ///< N·s: the most normal impulse that a substep begins with; beyond it a hit was stopped
+  Lanes passes_on;  ///< N·s: the normal impulse that a substep begins with; beyond it a hit was stopped
+  Lanes stops;      ///< a substep may begin with this many times what stops the bodies as they close then
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
   Lanes impulse_magic;     ///< magic number (math/grid.h) of a grid that fits the lighter body

@@ -1,6 +1,6 @@
 #pragma once
 
-// Warm start, sweeps and the motion of separations, for any number of lanes. lane_vector.h says who may include this.
+// Sweeps and the motion of separations, for any number of lanes. lane_vector.h says who may include this.
 
 #include "src/kernels/contacts/contact_friction_impl.h"
 #include "src/kernels/contacts/contact_lanes.h"
@@ -224,52 +224,6 @@ void begin_parting(const ContactWork& work, const ContactBatch& batch) {
       store(point.impulse.of + at, V{} + 0.0);
     }
   }
-}
-
-template <class V, template <class> class B>
-PointSums<V> sums_of_impulses(const Manifolds<V, B>& m) {
-  const V magic = m.get(m.batch->impulse_magic);
-  PointSums<V> sums = {};
-  for (unsigned k = 0; k < m.batch->count; ++k) {
-    const PointBatch& point = m.points[k];
-    const V impulse = m.get(point.impulse);
-    sums.s += to_grid(magic, impulse);
-    sums.sq += to_grid(magic, impulse * m.get(point.q));
-    sums.sp += to_grid(magic, impulse * m.get(point.p));
-  }
-  if (any_above(sums.s, m.get(m.batch->impulse_max))) [[unlikely]]
-    return add_up_impulses(m);
-  return sums;
-}
-
-// An impulse that stopped a hit has done its work: the next substep would throw the bodies apart with it. all: the sum.
-template <class V, template <class> class B>
-void pass_on_less(const Manifolds<V, B>& m, V all) {
-  const V most = m.get(m.batch->passes_on), part = all > most ? most / all : V{} + 1.0;
-  for (unsigned k = 0; k < m.batch->count; ++k) m.set(m.points[k].impulse, part * m.get(m.points[k].impulse));
-  Lanes* const frictions[] = {&m.batch->force1, &m.batch->force2, &m.batch->twist};
-  for (Lanes* const friction : frictions) m.set(*friction, part * m.get(*friction));
-}
-
-template <class V, template <class> class B>
-void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  const Manifolds<V, B> m(work, batch, at);
-  PointSums<V> sums = sums_of_impulses(m);
-  if (any_above(sums.s, m.get(batch.passes_on))) {
-    pass_on_less(m, sums.s);
-    sums = sums_of_impulses(m);
-  }
-  m.set(batch.sliding, V{});
-  const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
-  const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
-  const Wrench<V> normal = normal_wrench(m, sums.s, sums.sq, sums.sp),
-                  friction = friction_wrench(m, force1, force2, turn);
-  write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
-}
-
-template <class V>
-void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  return batch.even ? warm_start_from<V, EvenBody>(work, batch, at) : warm_start_from<V, Body>(work, batch, at);
 }
 
 template <class V>

@@ -39,6 +39,12 @@ void measure_levels(const WorldState& state, Scratch& scratch, const Worker& wor
     });
     if (touches_rest) reach(i, 1);
   }
+  // What a fast pair hits, it touches within the step: what lands is solved from the ground up at once.
+  const Worker::Share pairs = worker.share(scratch.fast.pairs.size());
+  for (std::size_t k = pairs.begin; k < pairs.end; ++k) {
+    const auto [a, b] = scratch.fast.pairs[k];
+    if (at_rest(bodies, a) != at_rest(bodies, b)) reach(at_rest(bodies, a) ? b : a, 1);
+  }
   waves.walk([&](BodyIndex i) {
     const std::uint32_t at = level[i] + 1;
     for_ends(graph, i, [&](const ContactEnd& end) {

@@ -209,11 +209,12 @@ class Filling {
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
     const bool a_falls = moves(bodies_, m.a), b_falls = moves(bodies_, m.b);
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
-    batch.passes_on.of[lane] = is_loose(m) ? kBorneWeights * (fall_ * lighter) : std::numeric_limits<double>::max();
+    const bool loose = is_loose(m), keeps_all = !loose && m.layer >= layers_.hard_from;
+    batch.passes_on.of[lane] = keeps_all ? std::numeric_limits<double>::max() : kBorneWeights * (fall_ * lighter);
+    batch.stops.of[lane] = loose ? 0 : kHitStops;
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
   // Whether bodies meet that touch nothing at rest, so that a substep may begin with what they bear and no more.
-  // Columns that land take several substeps, and would sink into themselves if each began anew.
   [[nodiscard]] bool is_loose(const Manifold& m) const {
     return layers_.of_fast_pairs || m.layer + 1 == layers_.hard_from || m.layer + 1 == layers_.count();
   }

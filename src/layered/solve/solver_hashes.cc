@@ -12,7 +12,7 @@ namespace {
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(offsetof(SolverBody, spin) == 3 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
-static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 30 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 31 * sizeof(Lanes));
 static_assert(offsetof(PointBatch, q) == sizeof(Lanes));
 
 // Bytes [kBegin, kEnd) of a row.
