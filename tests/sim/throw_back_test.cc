@@ -23,7 +23,7 @@ SceneDef tower_of(int count, int standing, double more, double dt) {
   scene.world.freezing = false;
   scene.world.ground_material.restitution = 0;
   for (int k = 0; k < count; ++k) {
-    sim::BoxDef box = cube(static_cast<sim::BodyId>(k + 1), {0, 0, k + 0.5 + (k < standing ? 0 : 1 + more)});
+    sim::BoxDef box = cube(static_cast<sim::BodyId>(k) + 1, {0, 0, k + 0.5 + (k < standing ? 0 : 1 + more)});
     box.material.restitution = 0;
     scene.boxes.push_back(box);
   }

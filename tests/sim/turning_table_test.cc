@@ -36,7 +36,7 @@ SceneDef table(double table_mass, double friction, const Steps& steps, int stack
   plate.spin = {0, 0, kPace};
   scene.boxes = {plate};
   for (int k = 0; k <= stacked; ++k) {
-    sim::BoxDef crate = box(static_cast<sim::BodyId>(2 + k), {0.5, 0.5, 0.5}, {kRadius, 0, 0.75 + 0.5 * k});
+    sim::BoxDef crate = box(static_cast<sim::BodyId>(k) + 2, {0.5, 0.5, 0.5}, {kRadius, 0, 0.75 + 0.5 * k});
     crate.mass = 10;
     crate.velocity = {0, kRadius * kPace, 0};
     crate.spin = {0, 0, kPace};

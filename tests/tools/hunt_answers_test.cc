@@ -150,27 +150,27 @@ TEST(HuntAnswers, AFolderIsJudgedByTheClaimsOfAnEngine) {
   const Workshop shop;
   const auto judged = [&shop](const std::string& claims) {
     shop.write("tumble.toml", "[engine]\nrun = \"'" TUMBLE_PROGRAM "' record {scene} -o {log} --quiet\"\n" + claims);
-    return shop.run({"hunt", "--engine", "--judge", kKnownScenes, "--relation", "unmet", "--relation", "slope",
+    return shop.run({"hunt", "--engine", "--judge", kKnownScenes, "--relation", "energy", "--relation", "slope",
                      "--relation", "finishes", "--json"});
   };
   const Outcome measured = judged("");
   EXPECT_EQ(measured.exit, 0) << measured.err;
-  EXPECT_GT(Json::parse(measured.out).at("relations").at("unmet").at("broken"), 0U);
-  EXPECT_EQ(judged("[engine.claims]\nunmet = false\n").exit, 0);
-  const Outcome claimed = judged("[engine.claims]\nunmet = true\n");
+  EXPECT_GT(Json::parse(measured.out).at("relations").at("energy").at("broken"), 0U);
+  EXPECT_EQ(judged("[engine.claims]\nenergy = false\n").exit, 0);
+  const Outcome claimed = judged("[engine.claims]\nenergy = true\n");
   EXPECT_EQ(claimed.exit, 1) << claimed.err;
-  EXPECT_EQ(Json::parse(claimed.out).at("claimed"), Json({"unmet"}));
+  EXPECT_EQ(Json::parse(claimed.out).at("claimed"), Json({"energy"}));
   const Outcome none = judged("[engine.claims]\nslope = true\n");
   EXPECT_EQ(none.exit, 4) << none.out;
   EXPECT_TRUE(tells(none.err, "nothing was judged: no scene could be judged by what the engine claims: slope"));
 }
 
-// Of a scene that is known to change a velocity (docs/hunting.md).
+// Of a scene that is known to break the law (docs/hunting.md).
 TEST(HuntAnswers, AFoundValueHasTheUnitOfItsQuantity) {
   const Workshop shop;
-  shop.write("found/scene.toml", shop.run({"hunt", "--seed", "1", "--print", "6822"}).out);
-  const Outcome run = shop.run({"hunt", "--judge", "found", "--relation", "unmet"});
-  EXPECT_TRUE(tells(run.out, "changed its velocity (m/s): ")) << run.out;
+  shop.write("found/scene.toml", shop.run({"hunt", "--seed", "1", "--print", "3407"}).out);
+  const Outcome run = shop.run({"hunt", "--judge", "found", "--relation", "cone"});
+  EXPECT_TRUE(tells(run.out, "outside Coulomb's cone: ") && tells(run.out, " N s, allowed ")) << run.out;
   EXPECT_FALSE(tells(run.out, "kg·m²/s")) << run.out;
 }
 
