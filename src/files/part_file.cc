@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "src/files/file_identity.h"
+#include "src/files/maker_in_name.h"
 
 namespace tumble::files {
 namespace {
@@ -48,15 +49,12 @@ void remember_part(const std::string& part) {
 
 /// The process that a part of this stem was made by; none for another file.
 std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
-  if (!name.starts_with(stem)) return std::nullopt;
-  name.remove_prefix(stem.size());
-  pid_t process = 0;
+  const std::optional<MakerInName> maker = maker_in(name, stem);
+  if (!maker) return std::nullopt;
   int number = 0;
-  const char* const end = name.data() + name.size();
-  const auto [dash, wrong] = std::from_chars(name.data(), end, process);
-  if (wrong != std::errc() || process <= 0 || dash == end || *dash != '-') return std::nullopt;
-  const auto [stop, error] = std::from_chars(dash + 1, end, number);
-  return error == std::errc() && stop == end ? std::optional(process) : std::nullopt;
+  const char* const end = maker->rest.data() + maker->rest.size();
+  const auto [stop, error] = std::from_chars(maker->rest.data(), end, number);
+  return error == std::errc() && stop == end ? std::optional(maker->process) : std::nullopt;
 }
 
 struct flock whole_file() {
@@ -81,7 +79,7 @@ void remove_leftovers(const fs::path& folder, const std::string& stem) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::optional<pid_t> maker = maker_of(at->path().filename().string(), stem);
-    if (!maker || ::kill(*maker, 0) == 0 || errno != ESRCH || !is_unlocked(at->path())) continue;
+    if (!maker || !is_gone(*maker) || !is_unlocked(at->path())) continue;
     std::error_code ignored;
     fs::remove(at->path(), ignored);
   }

@@ -13,7 +13,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <climits>
 #include <csignal>
 #include <cstddef>
@@ -25,6 +24,7 @@
 #include <system_error>
 
 #include "src/files/file_identity.h"
+#include "src/files/maker_in_name.h"
 
 namespace tumble::files {
 namespace {
@@ -94,13 +94,8 @@ int locked_folder(const char* name) {
 
 /// The process that a folder of this stem was made by; none for another one.
 std::optional<pid_t> maker_of_folder(std::string_view name, std::string_view stem) {
-  if (!name.starts_with(stem)) return std::nullopt;
-  name.remove_prefix(stem.size());
-  pid_t process = 0;
-  const char* const end = name.data() + name.size();
-  const auto [dash, wrong] = std::from_chars(name.data(), end, process);
-  if (wrong != std::errc() || process <= 0 || dash == end || *dash != '-') return std::nullopt;
-  return static_cast<std::size_t>(end - dash) == kLetters + 1 ? std::optional(process) : std::nullopt;
+  const std::optional<MakerInName> maker = maker_in(name, stem);
+  return maker && maker->rest.size() == kLetters ? std::optional(maker->process) : std::nullopt;
 }
 
 void remove_left_over(const char* name) {
@@ -115,7 +110,7 @@ void sweep(const std::string& place, std::string_view stem) {
   std::error_code error;
   for (std::filesystem::directory_iterator at(place, error), end; !error && at != end; at.increment(error)) {
     const std::optional<pid_t> maker = maker_of_folder(at->path().filename().string(), stem);
-    if (maker && ::kill(*maker, 0) != 0 && errno == ESRCH) remove_left_over(at->path().c_str());
+    if (maker && is_gone(*maker)) remove_left_over(at->path().c_str());
   }
 }
 

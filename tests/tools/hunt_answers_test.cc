@@ -165,14 +165,5 @@ TEST(HuntAnswers, AFolderIsJudgedByTheClaimsOfAnEngine) {
   EXPECT_TRUE(tells(none.err, "nothing was judged: no scene could be judged by what the engine claims: slope"));
 }
 
-// Of a scene that is known to break the law (docs/hunting.md).
-TEST(HuntAnswers, AFoundValueHasTheUnitOfItsQuantity) {
-  const Workshop shop;
-  shop.write("found/scene.toml", shop.run({"hunt", "--seed", "1", "--print", "3407"}).out);
-  const Outcome run = shop.run({"hunt", "--judge", "found", "--relation", "cone"});
-  EXPECT_TRUE(tells(run.out, "outside Coulomb's cone: ") && tells(run.out, " N s, allowed ")) << run.out;
-  EXPECT_FALSE(tells(run.out, "kg·m²/s")) << run.out;
-}
-
 }  // namespace
 }  // namespace tumble::test

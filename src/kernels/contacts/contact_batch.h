@@ -72,6 +72,7 @@ struct ContactBatch {
   bool bounces = false;                ///< one of its points met fast enough to bounce
   std::uint8_t hard = 0;               ///< a bit a lane: the manifold belongs to a hard island (assign_levels)
   std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
+  std::uint8_t loose = 0;              ///< a bit a lane: the manifold touches nothing at rest, directly or by others
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   bool levers_turned = false;          ///< by the last `prepare` or `move_on`, in a lane
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
@@ -86,8 +87,7 @@ struct ContactBatch {
   Lanes force1, force2, twist;
   Lanes sliding;    ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
   Lanes absorbed;   ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
-  Lanes passes_on;  ///< N·s: the normal impulse that a substep begins with; beyond it a hit was stopped
-  Lanes stops;      ///< a substep may begin with this many times what stops the bodies as they close then
+  Lanes passes_on;  ///< N·s: the normal impulse that a substep begins with; beyond it a hit was stopped (kHitStops)
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
   Lanes impulse_magic;     ///< magic number (math/grid.h) of a grid that fits the lighter body

@@ -36,7 +36,9 @@ void pass_on_less(const Manifolds<V, B>& m, const PointSums<V>& sums) {
   const V yield = (r[0] + 2.0 * (q * r[1] + p * r[2])) + (((q * q) * r[3] - (p * p) * r[5]) + 2.0 * ((p * q) * r[4]));
   const Motion<V> motion = relative_motion(m);
   const V parting = dot(motion.u, m.n) + (dot(motion.w, m.t1) * q - dot(motion.w, m.t2) * p);
-  const V stopping = m.get(m.batch->stops) * (larger(zero, -parting) / (hit ? yield : one));
+  Lanes stops;
+  for (unsigned lane = 0; lane < kLanes; ++lane) stops.of[lane] = (m.batch->loose >> lane & 1U) != 0 ? 0 : kHitStops;
+  const V stopping = m.get(stops) * (larger(zero, -parting) / (hit ? yield : one));
   const V part = hit ? smaller(all, larger(borne, stopping)) / all : one;
   for (unsigned k = 0; k < m.batch->count; ++k) m.set(m.points[k].impulse, part * m.get(m.points[k].impulse));
   Lanes* const frictions[] = {&m.batch->force1, &m.batch->force2, &m.batch->twist};

@@ -68,6 +68,7 @@ class Grouping {
       batch.members = layers_.start[layer] + (k - all_.layer_start[layer]) * kLanes;
       batch.used = std::min<std::uint32_t>(kLanes, layers_.start[layer + 1] - batch.members);
       batch.hard = batch.turns = layer >= layers_.hard_from ? kAllLanes : 0;
+      batch.loose = 0;
       batch.bounce_min = layers_.bounce_min;
       batch.count = 0;
       for (unsigned lane = 0; lane < batch.used; ++lane) {
@@ -211,7 +212,7 @@ class Filling {
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
     const bool loose = is_loose(m), keeps_all = !loose && m.layer >= layers_.hard_from;
     batch.passes_on.of[lane] = keeps_all ? std::numeric_limits<double>::max() : kBorneWeights * (fall_ * lighter);
-    batch.stops.of[lane] = loose ? 0 : kHitStops;
+    if (loose) batch.loose = static_cast<std::uint8_t>(batch.loose | 1U << lane);
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
   // Whether bodies meet that touch nothing at rest, so that a substep may begin with what they bear and no more.

@@ -12,7 +12,7 @@ namespace {
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(offsetof(SolverBody, spin) == 3 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
-static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 31 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 30 * sizeof(Lanes));
 static_assert(offsetof(PointBatch, q) == sizeof(Lanes));
 
 // Bytes [kBegin, kEnd) of a row.
@@ -53,10 +53,12 @@ void add_levers(const ContactBatches& all, const ContactBatch& batch, GatheredNu
   }
 }
 
-void add_batch(const ContactBatches& all, const ContactBatch& batch, Hasher& hasher) {
-  hasher.add(part_of_row<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(batch));
-  hasher.add(points_of_batch(all, batch));
-  if (batch.levers_turned) hasher.add(part_of_row<offsetof(ContactBatch, d), offsetof(ContactBatch, friction)>(batch));
+// sink: a Hasher, or GatheredNumbers.
+template <class Sink>
+void add_batch(const ContactBatches& all, const ContactBatch& batch, Sink& sink) {
+  sink.add(part_of_row<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(batch));
+  sink.add(points_of_batch(all, batch));
+  if (batch.levers_turned) sink.add(part_of_row<offsetof(ContactBatch, d), offsetof(ContactBatch, friction)>(batch));
 }
 
 }  // namespace
@@ -112,10 +114,11 @@ void add_moved_contacts(const ContactBatches& all, std::size_t begin, std::size_
   add_separations(all, begin, end, numbers);
   for (std::size_t k = begin; k < end; ++k) {
     const ContactBatch& batch = all.batches[k];
-    if (batch.levers_turned) add_levers(all, batch, numbers);
-    if (batch.turns == 0) continue;
-    numbers.add(part_of_row<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(batch));
-    numbers.add(points_of_batch(all, batch));
+    if (batch.turns != 0) {
+      add_batch(all, batch, numbers);
+    } else if (batch.levers_turned) {
+      add_levers(all, batch, numbers);
+    }
   }
 }
 
