@@ -215,6 +215,7 @@ TEST(HuntLaws, AFoundValueHasTheUnitOfItsQuantity) {
   const Judgement moved = judge("unmet", tampered(kFlight, 10, [](sim::Bodies& b) { b.velocity.y[0] += 1e-6; }));
   EXPECT_NE(moved.what.find("changed its velocity (m/s)"), std::string::npos) << moved.what;
   EXPECT_EQ(moved.what.find("kg·m²/s"), std::string::npos) << moved.what;
+  EXPECT_EQ(moved.unit, "") << "the words have it";
   const Judgement turned = judge("unmet", tampered(kFlight, 10, [](sim::Bodies& b) { b.spin.y[0] += 1e-4; }));
   EXPECT_NE(turned.what.find("changed its angular momentum (kg·m²/s)"), std::string::npos) << turned.what;
 }
