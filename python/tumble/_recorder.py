@@ -24,7 +24,7 @@ class Recorder:
     orientation, velocity, spin, static, friction, friction_dynamic, restitution, frozen, texture, name, and shape, as
     `sphere()` makes one; all optional. channels: names of values that the engine logs beside the states, each with its
     unit, or with a dictionary of type ("float64", "float32", "int64", "uint64", "bytes", "text"), scope ("world",
-    "body", "pair") and unit. phases: names of the phases that `step(phases=...)` gives a hash for. precision: the
+    "body", "pair") and unit. phases: names of the phases that `step(phases=...)` gives a hash for, each once. precision: the
     engine's numbers. One thread at a time.
     """
 

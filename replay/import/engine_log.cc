@@ -7,6 +7,7 @@
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
 #include "replay/import/known_bodies.h"
+#include "replay/import/phase_names.h"
 #include "replay/log/told_bodies.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -66,10 +67,7 @@ Status check_engine(const EngineDef& def) {
     return bad_input("engine: found a precision of " + std::to_string(engine.precision_bits) +
                      " bits, wanted 24 (binary32) or 53 (binary64)");
   }
-  if (def.phases.size() > kPhasesMax) {
-    return bad_input("engine: found " + std::to_string(def.phases.size()) + " phases, wanted at most " +
-                     std::to_string(kPhasesMax));
-  }
+  if (Status ok = check_phase_names(def.phases); !ok.ok()) return bad_input("engine: " + ok.error().message);
   const Status table = def.table ? check_table(*def.table) : Status();
   return table.ok() ? check_declared(def.declared) : table;
 }

@@ -40,7 +40,8 @@ struct EngineState {
 
 struct EngineDef {
   EngineName engine;
-  /// Names of the phases for set_phase_hashes(), in the order in which they run. Empty: steps have no phase hashes.
+  /// Names of the phases for set_phase_hashes(), in the order in which they run, each once. Empty: steps have no phase
+  /// hashes.
   std::vector<std::string> phases = {};
   std::optional<ImportedTable> table = {};  ///< of an import; states are given in SI units, z up, all the same
   /// Channels by ascending names, shapes, names of the bodies of the start, values of state 0.
@@ -66,8 +67,8 @@ class EngineLog {
 
   /// Creates the log. start: state 0, kept to the bit. Its boxes (ascending id, see sim::BoxDef), dt, gravity and
   /// ground count; `steps` is the planned number of steps, 0 if unknown; the rest is look. Errors (kBadInput): a body
-  /// or a value beyond src/model/limits.h, an orientation that is no rotation, a missing name, a table that no log can
-  /// keep, an existing file that is no log.
+  /// or a value beyond src/model/limits.h, an orientation that is no rotation, a missing name, two phases of one name,
+  /// a table that no log can keep, an existing file that is no log.
   static Result<std::unique_ptr<EngineLog>> create(const std::string& path, const EngineDef& def,
                                                    const sim::SceneDef& start);
   static Result<std::unique_ptr<EngineLog>> create(std::unique_ptr<ByteSink> sink, const EngineDef& def,

@@ -58,7 +58,7 @@ typedef struct TumbleLogStart {
   double gravity[3];      /* m/s^2 */
   int ground;             /* the half-space z <= 0 is solid */
   int precision_bits;     /* 24: the engine computes in float, 53: in double */
-  const char* phases;     /* names with commas between, for tumble_log_set_phase_hashes(); NULL: none */
+  const char* phases;     /* names that differ, with commas between, for tumble_log_set_phase_hashes(); NULL: none */
   uint64_t planned_steps; /* 0: not known */
 } TumbleLogStart;
 

@@ -1401,13 +1401,21 @@ static int take_phases(TumbleRec* rec, const char* names) {
   if (rec->phase_names == NULL) return fail(rec, TUMBLE_REC_NO_MEMORY, "found no memory for phases"), 0;
   while (names != NULL && *names != 0) {
     const size_t size = strcspn(names, ",");
+    uint32_t k;
     if (size == 0 || size > kNameMax || rec->phases == kPhasesMax) {
       fail(rec, TUMBLE_REC_BAD_CALL,
            "phases: found a name of %lu bytes as number %lu, wanted at most 256 of 1 to 200 bytes", (unsigned long)size,
            (unsigned long)rec->phases);
       return 0;
     }
-    memcpy(rec->phase_names[rec->phases++], names, size);
+    memcpy(rec->phase_names[rec->phases], names, size);
+    for (k = 0; k < rec->phases; ++k) { /* an answer that names the phase would be of both */
+      if (strcmp(rec->phase_names[k], rec->phase_names[rec->phases]) == 0)
+        return fail(rec, TUMBLE_REC_BAD_CALL, "phases: found \"%s\" twice, wanted names that differ",
+                    rec->phase_names[k]),
+               0;
+    }
+    ++rec->phases;
     names += size + (names[size] == ',');
   }
   return 1;

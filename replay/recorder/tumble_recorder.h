@@ -132,7 +132,7 @@ typedef struct TumbleRecDef {
   double metres; /* per unit of length; 0: 1 */
   double gravity[3];
   int ground;         /* the half-space below 0 along `up` is solid */
-  const char* phases; /* names with commas between, for tumble_rec_phase_hash(); NULL: none */
+  const char* phases; /* names that differ, with commas between, for tumble_rec_phase_hash(); NULL: none */
 
   /* Where the stream goes: a file, or write(), or memory that holds the last ring_s seconds until tumble_rec_dump().
    * Nowhere is fine with `verify`. A file that is there and no stream is not overwritten. */

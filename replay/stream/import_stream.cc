@@ -1,14 +1,15 @@
 #include "replay/stream/import_stream.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "replay/stream/lent_sink.h"
 #include "replay/stream/stream_bodies.h"
 #include "replay/stream/stream_cursor.h"
+#include "replay/stream/stream_end.h"
 #include "replay/stream/stream_extras.h"
+#include "replay/stream/stream_names.h"
 #include "replay/stream/stream_step.h"
 #include "src/base/text.h"
 #include "tumble/replay/engine_log.h"
@@ -108,7 +109,7 @@ class StreamImporter {
     const StreamHeader& header = stream_.header();
     EngineDef def;
     def.engine = header.engine;
-    def.phases = header.phases;
+    def.phases = phase_names(header.phases, phase_notes_);
     def.first_state = start.step;
     if (header.hashes_only) def.phases.assign(kStreamClasses.begin(), kStreamClasses.end());
     if (!header.axes.ours()) def.table = ImportedTable{header.axes, {}};
@@ -216,11 +217,11 @@ class StreamImporter {
 
   Status tell_snapshots(EngineLog& log, std::uint64_t k) {
     const Result<std::vector<EngineSnapshot>> found = snapshots(k);
-    if (!found.ok()) return found.error();
-    for (const EngineSnapshot& snapshot : *found) {
-      if (Status ok = log.add_snapshot(std::as_bytes(std::span(snapshot.bytes)), snapshot.name); !ok.ok()) return ok;
+    Status done = found.ok() ? Status() : Status(found.error());
+    for (std::size_t i = 0; done.ok() && i < found->size(); ++i) {
+      done = log.add_snapshot(std::as_bytes(std::span((*found)[i].bytes)), (*found)[i].name);
     }
-    return {};
+    return done;
   }
 
   /// A phase that did not run in a substep has the word 0.
@@ -240,30 +241,23 @@ class StreamImporter {
   }
 
   [[nodiscard]] std::vector<std::string> warnings() const {
-    std::vector<std::string> all = bodies_.notes();
-    std::ranges::copy(extras_.notes(), std::back_inserter(all));
+    std::vector<std::string> all;
+    for (const auto& notes : {phase_notes_, bodies_.notes(), extras_.notes()}) {
+      all.insert(all.end(), notes.begin(), notes.end());
+    }
     const StreamCondition& condition = stream_.condition();
     const std::string last = std::to_string(stream_.steps().back().step);
     if (refusal_) return all;  // which is said instead
     if (condition.damage) all.push_back(*condition.damage + "; the log ends with step " + last);
-    if (was_stopped()) all.push_back(stream_.name() + ": ends without its last frame: " + cut_short());
+    if (was_stopped(condition)) all.push_back(stream_.name() + ": ends without its last frame: " + cut_short());
     return all;
-  }
-
-  [[nodiscard]] bool was_stopped() const {
-    const StreamCondition& condition = stream_.condition();
-    return condition.torn || (!condition.finished && !condition.damage);
   }
 
   /// For later readers of the log, which see a whole file.
   [[nodiscard]] std::string cut_short() const {
-    if (refusal_) {
-      return "step " + std::to_string(stream_.steps()[refusal_->frame].step) +
-             " of the recorder's stream is none that a log can hold";
-    }
-    const std::string last = std::to_string(stream_.steps().back().step);
-    if (was_stopped()) return "the recorder was stopped after step " + last;
-    return stream_.condition().damage ? "the recorder's stream is damaged behind step " + last : "";
+    if (!refusal_) return replay::cut_short(stream_);
+    return "step " + std::to_string(stream_.steps()[refusal_->frame].step) +
+           " of the recorder's stream is none that a log can hold";
   }
 
   const StreamReader& stream_;
@@ -273,6 +267,7 @@ class StreamImporter {
   StreamBodies bodies_;
   StreamExtras extras_;
   RollbackCheck rollbacks_;
+  std::vector<std::string> phase_notes_;
   double first_dt_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "replay/format/limits.h"
+#include "replay/stream/stream_names.h"
 #include "src/base/text.h"
 #include "tumble/sim/limits.h"
 
@@ -36,12 +37,6 @@ sim::Vec3 vector_at(const StreamNumbers& numbers, std::size_t at) {
 }
 
 }  // namespace
-
-std::string name_for_log(const std::string& name, std::size_t bytes_max) {
-  std::string kept = printable(name);
-  while (kept.size() > bytes_max || printable(kept) != kept) kept.pop_back();  // never within a character
-  return kept;
-}
 
 EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) const {
   return {axes_.length(vector_at(numbers, 0)), axes_.turn({numbers[3], numbers[4], numbers[5], numbers[6]}),

@@ -19,9 +19,6 @@
 /// The bodies of a stream in SI units, z up, as logs hold them.
 namespace tumble::replay {
 
-/// A name as a log keeps it: without control characters, of at most 200 bytes, or fewer.
-std::string name_for_log(const std::string& name, std::size_t bytes_max = kStreamNameBytesMax);
-
 /// Converts bodies, states and inputs, and keeps the last state of each body, which records of kind "same" refer to.
 class StreamBodies {
  public:

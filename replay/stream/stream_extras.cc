@@ -10,6 +10,7 @@
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
 #include "replay/stream/stream_cursor.h"
+#include "replay/stream/stream_names.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {

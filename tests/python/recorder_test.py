@@ -100,6 +100,7 @@ def test_wrong_steps_are_refused_with_a_text(tmp_path, change, text):
         ({"engine": ""}, "name"),
         ({"engine": 7}, "engine: found 7"),
         ({"phases": "abc"}, "phases: found 'abc'"),
+        ({"phases": ["solve", "move", "solve"]}, 'phase "solve": found twice, wanted names that differ'),
         ({"channels": ["a"]}, "channels: found"),
         ({"channels": {"a": 7}}, "channel 'a': found 7"),
         ({"planned_steps": -1}, "planned_steps: found -1"),

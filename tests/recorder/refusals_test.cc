@@ -40,6 +40,14 @@ TEST(Refusals, ASecondValueOfOneChannelAndBodyInAStep) {
       << message;
 }
 
+TEST(Refusals, PhasesWithOneName) {
+  std::string message;
+  (void)record(
+      1, 0, [&](TumbleRec* rec) { message = tumble_rec_message(rec); },
+      [](TumbleRecDef& def) { def.phases = "solve,move,solve"; });
+  EXPECT_EQ(message, "phases: found \"solve\" twice, wanted names that differ");
+}
+
 // Also long after its removal: the recorder forgets the body, not the id.
 TEST(Refusals, AnIdThatABodyHad) {
   constexpr std::uint64_t kBodies = 200, kSteps = 600;

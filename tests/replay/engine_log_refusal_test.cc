@@ -91,6 +91,27 @@ TEST(EngineLogRefusal, OfASecondStateOfABodyInAStep) {
       << twice.error().message;
 }
 
+// An answer that names the phase would be of both.
+TEST(EngineLogRefusal, OfPhasesWithOneName) {
+  sim::SceneDef start;
+  start.boxes = {cube(1)};
+  const auto said_of = [&](const std::vector<std::string>& phases) {
+    auto sink = std::make_unique<MemoryByteSink>(std::make_shared<std::vector<std::byte>>(), "toy.tumble");
+    const auto log = EngineLog::create(std::move(sink), {{"toy", "1"}, phases}, start);
+    return log.ok() ? std::string("taken") : log.error().message;
+  };
+  EXPECT_EQ(said_of({"solve", "solve 2"}), "taken");
+  EXPECT_EQ(said_of({"solve", "move", "solve"}), "engine: phase \"solve\": found twice, wanted names that differ");
+  EXPECT_EQ(said_of({"solve", ""}), "engine: phase 2 of 2: found no name, wanted one");
+  TumbleLog* log = tumble_log_new("C engine", "0.1");
+  TumbleLogStart in_c = {};
+  in_c.dt = 0.5, in_c.precision_bits = kBinary32Bits, in_c.phases = "solve,move,solve";
+  const std::string path = ::testing::TempDir() + "engine_log_phases.tumble";
+  EXPECT_EQ(tumble_log_begin(log, path.c_str(), &in_c), TUMBLE_BAD_INPUT);
+  EXPECT_EQ(std::string(tumble_log_message(log)), "engine: phase \"solve\": found twice, wanted names that differ");
+  tumble_log_free(log);
+}
+
 // Pictures, exports and metrics know a body by its id alone.
 TEST(EngineLogRefusal, OfAnotherBodyWithTheIdOfARemovedOne) {
   const auto taken_back = [](const sim::BoxDef& box, const std::string& name = "ball") {
