@@ -15,6 +15,7 @@
 #include "golden/suite/text_files.h"
 #include "replay/import/csv/import_csv.h"
 #include "replay/stream/import_stream.h"
+#include "replay/stream/stream_end.h"
 #include "replay/stream/stream_reader.h"
 #include "replay/stream/stream_tail.h"
 #include "src/base/text.h"
@@ -52,7 +53,9 @@ Status convert_stream(const std::string& path, const std::string& converted, boo
   if (!done.ok()) return done.error();
   if (!done->refused.empty()) log.refused = "wrote a stream with a step that no log can hold: " + done->refused;
   log.warnings = done->warnings;
-  if (!condition.finished) {
+  if (!condition.refusal.empty()) {
+    log.unfinished = replay::cut_short(*stream);
+  } else if (!condition.finished) {
     log.unfinished = "its stream ends without the last frame, after step " +
                      std::to_string(stream->steps().back().step) +
                      ": the engine did not close its recorder (tumble_rec_close)";

@@ -77,6 +77,7 @@ static const unsigned char kMagic[kMagicBytes] = {0x89, 't', 'u', 'm', 'b', 'l',
 static const unsigned char kTailMagic[kMagicBytes] = {0x89, 't', 'u', 'm', 'b', 'l',  'e',  't',
                                                       'a',  'i', 'l', 0,   0,   '\r', '\n', 0x1a};
 static const char kTailSuffix[] = ".tail";
+static const char kRefusedName[] = "tumble_recorder: refused"; /* of a snapshot whose bytes say why the stream ends */
 enum { kMajor = 1, kMinor = 0 };
 
 enum FrameKind { kHeader = 1, kStart = 2, kStep = 3, kHashes = 4, kRewind = 5, kSnapshot = 6, kEnd = 7 };
@@ -249,8 +250,9 @@ struct TumbleRec {
   FILE* file;
   long process; /* that writes to file */
   int finished, in_step, after_state, started;
-  Bytes frame;  /* room for its head, then the payload of the coming step */
-  size_t group; /* where the open group record begins; 0: none */
+  int is_closed; /* no frame may follow */
+  Bytes frame;   /* room for its head, then the payload of the coming step */
+  size_t group;  /* where the open group record begins; 0: none */
   int group_kind;
   uint64_t frames, step, serial;
   uint64_t tag; /* hash of the header */
@@ -435,6 +437,7 @@ static uint64_t hash64(const unsigned char* at, size_t size, uint64_t seed) {
 /* ---- Threads. ---- */
 
 static int flush(TumbleRec* rec);
+static void tell_refusal(TumbleRec* rec);
 static const char kTwoThreads[] = "found a call of a second thread, wanted one thread from step_begin to step_end";
 
 /* The recorder is held here, so a misuse that another thread marked may be written down. It stays held in a step, which
@@ -443,6 +446,7 @@ static TumbleRecStatus leave(TumbleRec* rec, TumbleRecStatus status) {
   if (LOAD(&rec->misused) != NULL) fail(rec, TUMBLE_REC_TWO_THREADS, kTwoThreads);
   if (rec->status != TUMBLE_REC_OK) {
     status = rec->status;
+    tell_refusal(rec);
     flush(rec); /* what was recorded before the error stays */
   }
   rec->in_call = 0;
@@ -642,8 +646,25 @@ static void seal(unsigned char* frame, size_t size, uint32_t kind, uint64_t numb
 }
 
 static int write_frame(TumbleRec* rec, uint32_t kind, Bytes* frame) {
-  seal(frame->at, frame->size, kind, rec->frames++, rec->tag);
-  return write_bytes(rec, frame->at, frame->size, kind == kStep || kind == kHashes);
+  seal(frame->at, frame->size, kind, rec->frames, rec->tag);
+  if (!write_bytes(rec, frame->at, frame->size, kind == kStep || kind == kHashes)) return 0;
+  ++rec->frames;
+  return 1;
+}
+
+/* After an error, once: the reason, for whoever reads the stream later. A snapshot, which readers of any version take
+ * and no comparison reads. Nothing is allocated. */
+static void tell_refusal(TumbleRec* rec) {
+  unsigned char frame[kFrameBytes + 10 + sizeof kRefusedName + sizeof rec->message];
+  unsigned char* at = frame + kFrameBytes;
+  const size_t size = strlen(rec->message);
+  if (rec->is_closed || rec->frames == 0 || rec->status == TUMBLE_REC_CANNOT_WRITE) return;
+  rec->is_closed = 1;
+  at = put_text(put64(at, rec->step), kRefusedName, sizeof kRefusedName - 1);
+  memcpy(at, rec->message, size);
+  at += size;
+  seal(frame, (size_t)(at - frame), kSnapshot, rec->frames, rec->tag);
+  if (write_bytes(rec, frame, (size_t)(at - frame), 0)) ++rec->frames;
 }
 
 /* An empty frame: room for its head. */
@@ -2169,6 +2190,8 @@ TumbleRecStatus tumble_rec_snapshot(TumbleRec* rec, const char* name, const void
                            "found a snapshot in a step, before the first or of more than 256 MiB, wanted it between "
                            "steps"));
   }
+  if (name != NULL && strcmp(name, kRefusedName) == 0)
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a snapshot called \"%s\", wanted another name", name));
   b = &rec->head;
   if (rec->def.hashes_only) return leave(rec, TUMBLE_REC_OK);
   if (!begin_frame(rec, b, 10 + length + size)) return leave(rec, rec->status);
@@ -2244,6 +2267,7 @@ TumbleRecStatus tumble_rec_flush(TumbleRec* rec) {
 
 TumbleRecStatus tumble_rec_finish(TumbleRec* rec) {
   TumbleRecStatus status;
+  int is_whole;
   if (rec != NULL && rec->finished && rec->status == TUMBLE_REC_OK)
     return rec->differs ? TUMBLE_REC_DIFFERENT : TUMBLE_REC_OK;
   if (!enter(rec, &status)) return status;
@@ -2254,12 +2278,16 @@ TumbleRecStatus tumble_rec_finish(TumbleRec* rec) {
     end_frame(rec, kStart);
     rec->started = 1;
   }
-  if (rec->status == TUMBLE_REC_OK && rec->def.ring_s == 0 && begin_frame(rec, &rec->head, 9)) {
+  is_whole = rec->status == TUMBLE_REC_OK && rec->def.ring_s == 0;
+  if (is_whole && rec->notes_told)
+    fail(rec, TUMBLE_REC_BAD_CALL, "found a note after the last step, wanted it before step_end");
+  if (rec->status != TUMBLE_REC_OK) tell_refusal(rec);
+  if (is_whole && begin_frame(rec, &rec->head, 9)) {
     *put64(rec->head.at + kFrameBytes, rec->step) = 0;
     rec->head.size += 9;
     write_frame(rec, kEnd, &rec->head);
-    if (rec->notes_told) fail(rec, TUMBLE_REC_BAD_CALL, "found a note after the last step, wanted it before step_end");
   }
+  rec->is_closed = 1;
   flush(rec);
   if (rec->file != NULL && fclose(rec->file) != 0)
     fail(rec, TUMBLE_REC_CANNOT_WRITE, "found that the file cannot be closed; is the disk full?");

@@ -28,8 +28,8 @@
  *
  * Functions return TUMBLE_REC_OK or the kind of error, never abort, and accept NULL for rec. After an error, every
  * further call returns the same one and tumble_rec_message() says what was found and wanted; what was written before
- * stays. One thread at a time may use a recorder, and one thread only from step_begin to step_end: a call of another
- * thread is TUMBLE_REC_TWO_THREADS. */
+ * stays, and the message stands behind it in the stream, where `tumble import` reads it. One thread at a time may use a
+ * recorder, and one thread only from step_begin to step_end: a call of another thread is TUMBLE_REC_TWO_THREADS. */
 
 /* The names of C: NOLINTBEGIN(modernize-deprecated-headers,readability-identifier-naming,modernize-use-using) */
 

@@ -245,11 +245,8 @@ class StreamImporter {
     for (const auto& notes : {phase_notes_, bodies_.notes(), extras_.notes()}) {
       all.insert(all.end(), notes.begin(), notes.end());
     }
-    const StreamCondition& condition = stream_.condition();
-    const std::string last = std::to_string(stream_.steps().back().step);
     if (refusal_) return all;  // which is said instead
-    if (condition.damage) all.push_back(*condition.damage + "; the log ends with step " + last);
-    if (was_stopped(condition)) all.push_back(stream_.name() + ": ends without its last frame: " + cut_short());
+    for (std::string& warning : end_warnings(stream_)) all.push_back(std::move(warning));
     return all;
   }
 
@@ -277,7 +274,9 @@ Result<StreamImport> import_stream(const StreamReader& stream,
                                    const std::function<Result<std::unique_ptr<ByteSink>>()>& make_sink,
                                    const Progress& progress) {
   if (stream.steps().empty()) {
-    return damaged(stream.condition().damage.value_or(stream.name() + ": has no start: tumble_rec_message() says why"));
+    const std::string& why = stream.condition().refusal;
+    return damaged(stream.condition().damage.value_or(
+        stream.name() + ": has no start: " + (why.empty() ? "tumble_rec_message() says why" : why)));
   }
   StreamImporter importer(stream, progress);
   if (Status ok = importer.survey(); !ok.ok()) return ok.error();

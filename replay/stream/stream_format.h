@@ -48,6 +48,10 @@ enum class StreamRecordKind : std::uint8_t {
   kMesh = 52,
 };
 
+/// The name of the snapshot by which a recorder that gives up says why: its bytes are a text, and no step follows.
+inline constexpr const char* kStreamRefusedName = "tumble_recorder: refused";
+inline constexpr std::size_t kStreamRefusalBytesMax = 1024;
+
 /// The classes that a frame of hashes has a word for, in its order.
 inline constexpr std::array<const char*, 5> kStreamClasses = {"inputs", "states", "contacts", "phase_hashes",
                                                               "channels"};

@@ -9,6 +9,7 @@
 
 #include "replay/format/little_endian.h"
 #include "replay/stream/stream_cursor.h"
+#include "replay/stream/stream_names.h"
 #include "src/base/text.h"
 #include "tumble/sim/limits.h"
 
@@ -155,10 +156,11 @@ Status StreamReader::take(const StreamFrame& frame, std::span<const std::byte> p
     case StreamFrameKind::kRewind:
       return take_rewind(kept.step);
     case StreamFrameKind::kSnapshot:
-      snapshots_.push_back(kept);
+      take_snapshot(kept, in);
       return {};
     case StreamFrameKind::kEnd:
       condition_.finished = true;
+      condition_.dumped = in.flag();
       return {};
     default:
       return bad_input(place + "found a frame of kind " + std::to_string(static_cast<std::uint32_t>(frame.kind)) +
@@ -206,6 +208,15 @@ Status StreamReader::take_rewind(std::uint64_t step) {
   }
   std::erase_if(snapshots_, [&](const StreamFrame& frame) { return frame.step > step; });
   return {};
+}
+
+/// in: behind the number of the step.
+void StreamReader::take_snapshot(const StreamFrame& frame, StreamCursor in) {
+  if (in.text() != kStreamRefusedName) {
+    snapshots_.push_back(frame);
+    return;
+  }
+  condition_.refusal = name_for_log(in.text(std::min(in.left(), kStreamRefusalBytesMax)), kStreamRefusalBytesMax);
 }
 
 Result<std::vector<std::byte>> StreamReader::read(const StreamFrame& frame) const {

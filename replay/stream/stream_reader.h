@@ -17,6 +17,8 @@
 /// The frames of a recorder's stream, checked one by one; stream_step.h reads what a frame holds.
 namespace tumble::replay {
 
+class StreamCursor;
+
 /// What the recorder was created with.
 struct StreamHeader {
   EngineName engine;
@@ -40,7 +42,10 @@ struct StreamFrame {
 /// How a stream ends.
 struct StreamCondition {
   bool finished = false;  ///< with the frame that the recorder writes last
+  bool dumped = false;    ///< of a ring, whose recorder went on
   bool torn = false;      ///< within a frame: the writer was stopped
+  std::string
+      refusal;  ///< why the recorder took no further call, as tumble_rec_message() has it; empty: it did not say
   std::uint64_t good_bytes = 0;
   std::optional<std::string> damage;  ///< a frame that is not as it was written; what follows it was not read
 };
@@ -81,6 +86,7 @@ class StreamReader {
   Status take(const StreamFrame& frame, std::span<const std::byte> payload);
   Status take_step(const StreamFrame& frame);
   Status take_rewind(std::uint64_t step);
+  void take_snapshot(const StreamFrame& frame, StreamCursor in);
   bool damage(std::uint64_t at, const std::string& what);
 
   std::unique_ptr<ByteSource> source_;

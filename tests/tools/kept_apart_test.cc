@@ -75,15 +75,26 @@ TEST(KeptApart, OneStepOfAChannelOfAnotherKindIsNotTheSame) {
   EXPECT_TRUE(named) << found["values"].dump();
 }
 
-// An engine that looks at no status of the recorder learns from `import` where the reason is.
-TEST(KeptApart, AStreamThatARefusedCallEndedSaysWhoTellsTheReason) {
+// An engine that looks at no status of the recorder learns the reason from `import`, and whoever has the log from
+// `info`.
+TEST(KeptApart, AStreamThatARefusedCallEndedSaysWhy) {
   const Workshop shop;
   import_stream(shop, "left", {.is_left = true});
+  const std::string reason = "step 7: was begun but not ended, wanted step_end before the end";
   const Outcome run = shop.run({"import", "left.tumblestream", "-o", "again.tumble"});
-  EXPECT_NE(run.err.find("where the engine went on, the recorder refused a call or could not write, and "
-                         "tumble_rec_message() says why"),
-            std::string::npos)
+  EXPECT_EQ(run.exit, 0);
+  EXPECT_NE(run.err.find("left.tumblestream: the recorder gave up after step 6: " + reason), std::string::npos)
       << run.err;
+  EXPECT_EQ(run.err.find("tumblestream.tail"), std::string::npos) << "nothing is missing beside it\n" << run.err;
+  const json told = json::parse(shop.run({"import", "left.tumblestream", "-o", "again.tumble", "--json"}).out);
+  EXPECT_EQ(told["refusal"], reason);
+  const Outcome info = shop.run({"info", "again.tumble"});
+  EXPECT_NE(info.out.find("the session may have gone on: the recorder gave up after step 6: " + reason),
+            std::string::npos)
+      << info.out;
+  import_stream(shop, "whole", {});
+  const json whole = json::parse(shop.run({"import", "whole.tumblestream", "-o", "again.tumble", "--json"}).out);
+  EXPECT_TRUE(whole["refusal"].is_null());
 }
 
 TEST(KeptApart, ContactsThatOneRecorderToldAreNoDifferenceOfAStep) {

@@ -51,6 +51,7 @@ void print_json_result(const StreamFiles& files, const StreamReader& stream, con
   json["final_hash"] = to_string(done.log.final_hash);
   json["axes"] = axes_json(stream.header().axes);
   json["finished"] = stream.condition().finished;
+  json["refusal"] = stream.condition().refusal.empty() ? Json(nullptr) : Json(stream.condition().refusal);
   json["damaged"] = stream.condition().damage.has_value();
   json["hashes_only"] = stream.header().hashes_only;
   json["rewinds"] = stream.rewinds();
@@ -82,7 +83,7 @@ void print_listing(const StreamFiles& files, const StreamReader& stream, const r
 void advise_about_tail(const StreamFiles& files, const StreamReader& stream, replay::StreamImport& done) {
   const std::string tail = files.stream + replay::kStreamTailSuffix;
   std::error_code error;
-  if (stream.condition().finished || stream.condition().damage) return;
+  if (stream.condition().finished || stream.condition().damage || !stream.condition().refusal.empty()) return;
   if (std::filesystem::exists(tail, error)) {
     if (replay::has_own_tail(files.stream)) return;
     done.warnings.push_back(
@@ -93,8 +94,8 @@ void advise_about_tail(const StreamFiles& files, const StreamReader& stream, rep
   }
   done.warnings.push_back(tail +
                           ": found no such file; if there is one beside the original stream, put it here: it has "
-                          "the last steps; where the engine went on, the recorder refused a call or could not write, "
-                          "and tumble_rec_message() says why");
+                          "the last steps; where the engine went on, the recorder could not write, or an older one "
+                          "refused a call, and tumble_rec_message() says why");
 }
 
 }  // namespace
