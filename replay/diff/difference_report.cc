@@ -19,7 +19,7 @@ std::string values_text(const Divergence& d) {
 }
 
 constexpr const char* kOtherAxes =
-    "the tables of the two logs have other axes, or other units: fields are named z up, right-handed, m";
+    "the two logs have other axes, or other units: fields are named z up, right-handed, m";
 
 /// A value by the table's axis and unit.
 void shown_in(const EngineAxes& axes, const EngineColumn& column, FieldValue& value) {
@@ -30,9 +30,10 @@ void shown_in(const EngineAxes& axes, const EngineColumn& column, FieldValue& va
 }
 
 void shown_in(const EngineAxes& axes, HeaderDifference& header) {
-  const std::optional<EngineColumn> column = column_in(axes, header.key);
+  const std::size_t end = std::min(header.key.find(" of bodies "), header.key.size());  // "position.y of bodies 2, 3"
+  const std::optional<EngineColumn> column = column_in(axes, header.key.substr(0, end));
   if (!column) return;
-  header.key = column->name;
+  header.key = column->name + header.key.substr(end);
   for (FieldValue* value : {&header.a, &header.b}) shown_in(axes, *column, *value);
 }
 
@@ -149,7 +150,7 @@ void name_by_own_axes(const LogHeader& a, const LogHeader& b, DiffReport& found,
     if (!(a.axes() == b.axes()) && found.first) found.notes.emplace_back(kOtherAxes);
     return;
   }
-  found.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
+  found.notes.push_back("fields are named by the engine's axes: " + to_string(axes));
   if (found.first) found.first = in_axes(axes, *std::move(found.first));
   if (found.built) found.built = in_axes(axes, *std::move(found.built));
   for (HeaderDifference& header : found.headers) shown_in(axes, header);

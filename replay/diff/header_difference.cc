@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
-#include <type_traits>
 #include <utility>
 
 #include "replay/diff/parameters.h"
@@ -223,10 +221,10 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
   return parts;
 }
 
-void say(const std::vector<std::string>& parts, const std::string& name, std::string& text) {
+void say(const std::vector<std::string>& parts, const std::string& beginning, std::string& text) {
   if (parts.empty()) return;
   constexpr std::size_t kShown = 6;
-  text += (text.empty() ? "only " : "; only ") + name + " has ";
+  text += (text.empty() ? "" : "; ") + beginning;
   for (std::size_t i = 0; i < std::min(kShown, parts.size()); ++i) text += (i == 0 ? "" : ", ") + parts[i];
   if (parts.size() > kShown) text += " and " + std::to_string(parts.size() - kShown) + " more";
 }
@@ -288,9 +286,14 @@ bool OnlyInOne::adds_input() const {
 OnlyInOne only_in_one(const LogHeader& a, const LogHeader& b) { return {lacking(a, b), lacking(b, a)}; }
 
 std::string OnlyInOne::text(const std::string& name_a, const std::string& name_b) const {
+  std::vector<std::string> in_a, in_both, in_b = b;  // what both have are shapes, others in each
+  for (const std::string& part : a) (std::ranges::count(b, part) > 0 ? in_both : in_a).push_back(part);
+  std::erase_if(in_b, [&](const std::string& part) { return std::ranges::count(a, part) > 0; });
+  for (std::string& part : in_both) part.replace(0, std::string_view("its").size(), "the");
   std::string words;
-  say(a, name_a, words);
-  say(b, name_b, words);
+  say(in_both, "the two differ in ", words);
+  say(in_a, "only " + name_a + " has ", words);
+  say(in_b, "only " + name_b + " has ", words);
   return words;
 }
 

@@ -44,7 +44,7 @@ struct OnlyInOne {
   [[nodiscard]] bool empty() const { return a.empty() && b.empty(); }
   /// Whether the second has an input by name that the first had not.
   [[nodiscard]] bool adds_input() const;
-  /// "only before.tumble has channel knee"; empty where nothing is missing.
+  /// "only before.tumble has channel knee"; "the two differ in the shape of body 3" where each has one; else empty.
   [[nodiscard]] std::string text(const std::string& name_a, const std::string& name_b) const;
 };
 

@@ -4,6 +4,8 @@ import { createRequire } from "node:module";
 import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { TimelineRows } from "../../golden/report/page/session/timeline_rows.js";
+import { box_around } from "../../golden/report/page/viewer/pointer.js";
 import { kPatienceMs } from "../report_page/eventually.js";
 import { open_page } from "./pages.js";
 import { Sessions } from "./sessions.js";
@@ -72,6 +74,27 @@ test("names, shapes and channels of another engine, sent and served", async () =
     await page.context().close();
   }
   child.kill("SIGINT");
+});
+
+test("contacts that a page to send has no room for are not said to be in no log", () => {
+  const with_contacts = (of_another, contacts) => {
+    const rows = new TimelineRows([], of_another);
+    Object.assign(rows, { step: [0, 1, 2], contacts });
+    return rows;
+  };
+  const engine = with_contacts(true, [0, 5, 24433]);
+  assert.match(engine.why_no_contacts(2), /^this page has no contacts of this state/);
+  assert.equal(engine.why_no_contacts(0), "the log of another engine holds no contacts of step 0");
+  assert.equal(with_contacts(true, [0, 0, 0]).why_no_contacts(2), "the log of another engine holds no contacts");
+  assert.match(with_contacts(false, [0, 0, 0]).why_no_contacts(2), /^this page has no contacts of this state/);
+});
+
+test("the first view of bodies that hang above the ground has the ground in it", () => {
+  const over = (z, ground) => box_around([[1, 2, 3], [0, 0, 0], [z, z, z]], 1, ground);
+  assert.equal(over(5, true).centre[2], 2.5);
+  assert.equal(over(5, false).centre[2], 5);
+  assert.equal(over(0.5, true).centre[2], 0.5, "lying on it");
+  assert.equal(over(1000, true).centre[2], 1000, "too far for both to be seen");
 });
 
 /// Body 1, a box, and from step 5 on body 2, a sphere, unless it is left out.

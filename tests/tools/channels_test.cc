@@ -184,7 +184,12 @@ TEST(Channels, AnotherShapeIsNoIdentity) {
     EXPECT_EQ(outcome.exit, 1) << outcome.out << outcome.err;
     EXPECT_NE(outcome.out.find("only b.tumble has its shape of body 1"), std::string::npos) << outcome.out;
   }
-  import_ball(shop, "b", "box", "");
+  import_ball(shop, "a", "capsule-z", "");
+  const Outcome two = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(two.exit, 1) << two.out;
+  EXPECT_NE(two.out.find("the two differ in the shape of body 1;"), std::string::npos) << two.out;
+  EXPECT_EQ(two.out.find("only"), std::string::npos) << two.out;
+  import_ball(shop, "a", "sphere", "");
   EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble"}).exit, 0);
 }
 

@@ -41,6 +41,21 @@ TEST(EngineAxes, EveryCommandNamesOneFieldAlike) {
   for (const ordered_json& field : step["bodies"][0]["fields"]) EXPECT_LT(field["ulps"], 100000) << field;
 }
 
+// A line of the header for one body and one for several name places alike.
+TEST(EngineAxes, BodiesOfOneLineOfTheHeaderAreNamedByTheSameAxes) {
+  const Workshop shop;
+  for (const std::string z : {"0.25", "0.5"}) {
+    std::string table =
+        "# up: y\n# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+        "orientation.y,orientation.z\n";
+    for (const std::string row : {"0,1,0,", "0,2,3,", "1,1,0,", "1,2,3,"}) table.append(row + "7," + z + ",1,0,0,0\n");
+    shop.write("at" + z + ".csv", table);
+    ASSERT_EQ(shop.run({"import", "at" + z + ".csv"}).exit, 0);
+  }
+  const std::string text = shop.run({"diff", "at0.25.tumble", "at0.5.tumble"}).out;
+  EXPECT_TRUE(says(text, "header: position.z of bodies 1, 2: 0.25 → 0.5\n")) << text;
+}
+
 TEST(EngineAxes, ABodyOnTheGroundIsOnItInAxesOfEitherHand) {
   const Workshop shop;
   for (const std::string hand : {"left", "right"}) {

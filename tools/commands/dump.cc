@@ -183,7 +183,7 @@ class TextOutput : public Output {
       extras_.print();
       std::cout << '\n';
     }
-    if (!told_.axes.ours()) std::cout << "In the axes and units of the table: " << to_string(told_.axes) << ".\n";
+    if (!told_.axes.ours()) std::cout << "In the engine's axes and units: " << to_string(told_.axes) << ".\n";
     std::cout << "Rounded; --csv and --json print every bit.\n";
   }
 

@@ -260,7 +260,7 @@ void print_text(const SideBySide& step, const Sides& sides) {
     phases.print();
     if (on_one_side > 0) std::cout << "  (substeps that only one of them has are left out)\n";
   }
-  if (!json["axes"].is_null()) std::cout << "\nfields are named by the axes of the tables\n";
+  if (!json["axes"].is_null()) std::cout << "\nfields are named by the engine's axes\n";
   if (const std::size_t count = json["bodies"].size(); count > 0) {  // null has none
     std::cout << '\n' << count_text(count, "body") << " differ" << (count == 1 ? "s" : "");
     if (count > kBodiesShown) std::cout << "; the first " << kBodiesShown << " (all with --json)";

@@ -3915,9 +3915,10 @@ let o=l=>s.delete(l.pointerId);i.addEventListener("pointerup",l=>{if(o(l),n>4||l
 (l.clientY-c.top)/c.height)}),i.addEventListener("pointercancel",o),i.addEventListener("contextmenu",l=>l.preventDefault()),i.addEventListener("wheel",l=>{document.
 activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive:!1});let a={ArrowLeft:l=>l?e.pan(.05,0):e.turn(-.12,0),ArrowRight:l=>l?e.pan(-.05,
 0):e.turn(.12,0),ArrowUp:l=>l?e.pan(0,.05):e.turn(0,.12),ArrowDown:l=>l?e.pan(0,-.05):e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};
-i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function nh(i,e){
-let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),
-n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Vw=.07,Gw=.25;function Sd(i,e){let t=new Gn,n=new Us(.5,.5,1,6).translate(0,.5,0),s=new ea(.5,1,10).translate(0,.5,0),r=new hs({color:i,depthTest:!1,transparent:!0,
+i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function nh(i,e,t=!1){
+let n=i.map(a=>{let l=a.filter(c=>Number.isFinite(c)).sort((c,d)=>c-d);return l.length===0?[0,0]:[l[Math.floor(.05*(l.length-1))],l[Math.ceil(.95*(l.length-1))]]}),
+s=n[2][0];t&&s>2*e&&s<10*Math.max(e,...n.map(([a,l])=>l-a))&&(n[2][0]=0);let r=n.map(([a,l])=>(a+l)/2),o=Math.hypot(...n.map(([a,l])=>l-a));return{centre:r,radius:Math.
+max(o/2+Math.min(Math.max(e,.1),4),.001)}}var Vw=.07,Gw=.25;function Sd(i,e){let t=new Gn,n=new Us(.5,.5,1,6).translate(0,.5,0),s=new ea(.5,1,10).translate(0,.5,0),r=new hs({color:i,depthTest:!1,transparent:!0,
 opacity:.9}),o=[];return{group:t,show(a,l){for(let x of o)t.remove(x),x.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(x=>new Is(x,r,a.length)),u=Vw*
 l,h=Vn([...a.map(x=>x.impulse),1e-30]),f=new V(0,1,0),p=new xt;a.forEach(({at:x,normal:m,impulse:g},y)=>{let S=u*Math.max(Gw,Math.sqrt(Math.max(0,g)/h)),b=new kn().
 setFromUnitVectors(f,new V(...m).normalize()),C=new V(...x),w=u*.05*e;c.setMatrixAt(y,p.compose(C,b,new V(w,S*.7,w)));let _=new V(0,S*.7,0).applyQuaternion(b).add(
@@ -3980,8 +3981,8 @@ with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_s
 tags=this.sessions.map((t,n)=>X("span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=X("p",{className:"over-view",
 hidden:!0}),this.place.replaceChildren(e,...this.tags,this.over),this.stage=null}start(){this.hue=Qi();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(
 e[a]).filter((l,c)=>e.mark[c]!==ms):[],n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.
-sessions[0].head;this.box=nh(["x","y","z"].map(t),s);try{this.stage=ih(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="\
-This browser has no WebGL, so there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===
+sessions[0].head;this.box=nh(["x","y","z"].map(t),s,o??!0);try{this.stage=ih(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent=
+"This browser has no WebGL, so there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===
 0?"solid":"ghost",l===0?this.hue.actual:this.hue.expected);return c.describe(a.bodies),c}),th(this.canvas,this.stage,(a,l)=>{let c=this.stage.pick(a,l);this.picked(
 c?this.sessions[c.session].bodies.id(c.row):null)}),this.set_side_by_side(this.side_by_side),this.resize()}describe(){this.sessions.forEach((e,t)=>this.bodies?.[t].
 describe(e.bodies))}restart(){if(!this.stage)return;let e={...this.stage.view};this.stage.dispose(),this.open(),this.start(),this.stage&&Object.assign(this.stage.
@@ -4017,18 +4018,18 @@ e.method)),hr("".concat(s," step").concat(s===1?"":"s")),hr("".concat(Number(i.t
 hed: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(hr("bodies lost","fail")),r}function s1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach(
 (s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,x]of s.gaps())e.push(
 ["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.
-push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); \
-this page shows places in m, z up").concat(t?", and names the first difference by the table's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(
+push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the engine has other axes (").concat(a.axes,"); this \
+page shows places in m, z up").concat(t?", and names the first difference by the engine's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(
 l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):s.gaps().length>0?"has every state that could be rea\
-d":"has every state",u=!a.ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," state").concat(l.contact_steps===1?"":"s"),h=l.rows_run>
-1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").
-concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are counted no f\
-urther: ".concat(n)]),e}function i0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.
-setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(
-l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap(
-(l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],
-...i1(l)])),n.replaceChildren(...s1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===
-null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var r1=12,Hs=i=>String(typeof i=="number"?i:i??"\u2013"),gs=(i,e="")=>X("td",{textContent:i,className:e}),ur=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
+d":"has every state",u=s.rows.without_contacts()?"":", with the contacts of ".concat(l.contact_steps," state").concat(l.contact_steps===1?"":"s"),h=l.rows_run>1?
+"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(
+u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are counted no further:\
+ ".concat(n)]),e}function i0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute(
+"role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),
+title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[
+...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...i1(l)])),
+n.replaceChildren(...s1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=
+a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var r1=12,Hs=i=>String(typeof i=="number"?i:i??"\u2013"),gs=(i,e="")=>X("td",{textContent:i,className:e}),ur=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Ws(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
 function o1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=gs("","number");if(a!==null&&
@@ -4202,18 +4203,20 @@ e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=thi
 n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?[]:[r]}let n=[...this.
 rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).toLowerCase().includes(
 t)&&s.push(r);return s}};var S0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function _s(i,e){for(let t of e)
-i.push(typeof t=="string"?Number(t):t)}var mo=class{constructor(e=[],t=!1){this.channel_heads=e;for(let n of S0)this[n]=[];this.begun=[],this.may_lack_contacts=
-t,this.contacts_seen=0,this.label=n=>"body ".concat(n),this.events=[],this.begun_why_not="",this.channels=Ui(),this.bounds=[]}get count(){return this.step.length}append(e){
-for(let t of S0)_s(this[t],e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(
-this.count-t.length).fill(null)};_s(r.value,t),_s(r.broken,n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=[];for(;r.length<
-this.count-t.length;)r.push(null);_s(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.
-max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}reaches(e){let t=this.count>1?this.step[1]-this.
-step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1),s=t+1<this.
-count?this.step[t+1]-1:this.step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record with it is damaged"])}return e}unread_count(){return this.
-unread().reduce((e,[t,n])=>e+n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(
-1)).filter(e=>e>=0).map(e=>this.step[e])}contacts_told(e){for(;this.may_lack_contacts&&this.contacts_seen<this.count;)this.contacts[this.contacts_seen++]>0&&(this.
-may_lack_contacts=!1);return this.may_lack_contacts?null:this.contacts[e]}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+
-this.potential[e]}};var M1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function A0(i){if(!("DecompressionStream"in window))
+i.push(typeof t=="string"?Number(t):t)}var mo=class{constructor(e=[],t=!1){this.channel_heads=e;for(let n of S0)this[n]=[];this.begun=[],this.of_another=t,this.
+may_lack_contacts=t,this.contacts_seen=0,this.label=n=>"body ".concat(n),this.events=[],this.begun_why_not="",this.channels=Ui(),this.bounds=[]}get count(){return this.
+step.length}append(e){for(let t of S0)_s(this[t],e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(
+null),broken:new Array(this.count-t.length).fill(null)};_s(r.value,t),_s(r.broken,n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=
+[];for(;r.length<this.count-t.length;)r.push(null);_s(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,
+s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}reaches(e){let t=this.count>
+1?this.step[1]-this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.
+at(-1),s=t+1<this.count?this.step[t+1]-1:this.step[t];n&&t>0&&this.read[t-1]===0?n[1]=s:e.push([this.step[t],s,"the record with it is damaged"])}return e}unread_count(){
+return this.unread().reduce((e,[t,n])=>e+n-t+1,0)}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.
+indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}without_contacts(){for(;this.may_lack_contacts&&this.contacts_seen<this.count;)this.contacts[this.contacts_seen++]>
+0&&(this.may_lack_contacts=!1);return this.may_lack_contacts}contacts_told(e){return this.without_contacts()?null:this.contacts[e]}why_no_contacts(e){let t="the\
+ log of another engine holds no contacts";return this.without_contacts()?t:this.of_another&&this.contacts[Math.max(0,this.index(e))]===0?"".concat(t," of step ").
+concat(e):"this page has no contacts of this state; a served page (tumble view without -o) has all"}energy(e){return this.kinetic[e]===null||this.potential[e]===
+null?null:this.kinetic[e]+this.potential[e]}};var M1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function A0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([M1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var w0=async i=>JSON.parse(new TextDecoder().decode(await A0(i))),T0=i=>i>>>1^-(i&1);function S1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
@@ -4228,9 +4231,8 @@ t*n,(t+1)*n),[r,o,a]=this.columns.place.map(s);return{step:e,status:0,rows:n,x:r
 speed:this.speeds(t,r,o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(
 this.steps[o])-this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==
 ms&&(s[d]=Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*
-this.head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
-e)===null?{step:e,why_not:"the log of another engine holds no contacts"}:{step:e,why_not:"this page has no contacts of this state; a served page (tumble view wi\
-thout -o) has all",near:this.near_contacts(e)}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-
+this.head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:{step:e,why_not:this.rows.
+why_no_contacts(e),near:this.near_contacts(e)}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-
 e)<Math.abs(n-e)?s:n)}async way(e){let t=this.bodies.row(e),n=this.bodies.count,s=[],r=[];return this.steps.forEach((o,a)=>{let l=this.columns.mark[a*n+t];s.push(
 o);for(let c of this.columns.place)r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async history(e){let t=this.bodies.row(e),n={id:e,step:[],x:[],y:[],z:[],
 speed:[],asleep:[]};for(let s of t===void 0?[]:this.steps){let r=this.frame(s),o=r.mark[t]===1||r.mark[t]===2;n.step.push(s);for(let a of["x","y","z","speed"])n[a].

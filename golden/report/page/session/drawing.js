@@ -42,7 +42,7 @@ export class Drawing {
     let size = 0.1;
     for (let row = 0; row < table.count; ++row) if (!table.is_static(row)) size = Math.max(size, ...table.size(row));
     const { camera, ground } = this.sessions[0].head;
-    this.box = box_around(["x", "y", "z"].map(known), size);
+    this.box = box_around(["x", "y", "z"].map(known), size, ground ?? true);
     try {
       this.stage = make_stage(this.canvas, { hue: this.hue, box: this.box, camera, ground });
     } catch {

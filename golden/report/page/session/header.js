@@ -24,12 +24,12 @@ function notices_of(page) {
     for (const [first, last, why] of session.gaps()) notices.push(["fail", `${who}steps ${first} to ${last}: ${why}`]);
     if (session.note) notices.push(["fail", `${who}${session.note}`]);
     if (session.unread && session.unread !== session.note) notices.push(["fail", `${who}The timeline was not read: ${session.unread}`]);
-    if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows places in m, z up${two ? ", and names the first difference by the table's axes" : ""}`]);
+    if (head.axes) notices.push(["", `${who}the engine has other axes (${head.axes}); this page shows places in m, z up${two ? ", and names the first difference by the engine's axes" : ""}`]);
     if (!thin) return;
     const every = thin.every > 1;
     const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`
       : session.gaps().length > 0 ? "has every state that could be read" : "has every state";
-    const contacts = !head.ours && thin.contact_steps === 0 ? "" : `, with the contacts of ${thin.contact_steps} state${thin.contact_steps === 1 ? "" : "s"}`;
+    const contacts = session.rows.without_contacts() ? "" : `, with the contacts of ${thin.contact_steps} state${thin.contact_steps === 1 ? "" : "s"}`;
     const rows = thin.rows_run > 1 ? `; its timeline has the largest values of ${thin.rows_run} steps each` : "";
     notices.push([every ? "warn" : "", `${who}This page ${kept}, rounded to 0.1 mm${contacts}${rows}. Served by tumble view it has every bit.`]);
   });

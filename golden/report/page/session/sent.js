@@ -122,11 +122,7 @@ class SentSession {
   async contacts_at(step) {
     const rows = this.contacts[step];
     if (rows) return { step, rows };
-    if (!this.head.ours && this.near_contacts(step) === null) {
-      return { step, why_not: "the log of another engine holds no contacts" };
-    }
-    return { step, why_not: "this page has no contacts of this state; a served page (tumble view without -o) has all",
-      near: this.near_contacts(step) };
+    return { step, why_not: this.rows.why_no_contacts(step), near: this.near_contacts(step) };
   }
 
   near_contacts(step) {

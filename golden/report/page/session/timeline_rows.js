@@ -16,6 +16,7 @@ export class TimelineRows {
     this.channel_heads = channels;
     for (const name of kColumns) this[name] = [];
     this.begun = [];
+    this.of_another = of_another;
     this.may_lack_contacts = of_another;  // until a row has one
     this.contacts_seen = 0;
     this.label = (id) => `body ${id}`;
@@ -84,12 +85,23 @@ export class TimelineRows {
     return this.bounds.map(({ broken }) => broken.indexOf(1)).filter((i) => i >= 0).map((i) => this.step[i]);
   }
 
-  /// The contacts of row i; null where none was told: that log holds them only where its engine tells them.
-  contacts_told(i) {
+  /// Whether no row has a contact and the log would hold some only where its engine told them.
+  without_contacts() {
     while (this.may_lack_contacts && this.contacts_seen < this.count) {
       if (this.contacts[this.contacts_seen++] > 0) this.may_lack_contacts = false;
     }
-    return this.may_lack_contacts ? null : this.contacts[i];
+    return this.may_lack_contacts;
+  }
+
+  /// The contacts of row i; null where none was told.
+  contacts_told(i) { return this.without_contacts() ? null : this.contacts[i]; }
+
+  /// Why a page to send shows no contacts of a step: the log may hold what the page has no room for.
+  why_no_contacts(step) {
+    const no_contacts = "the log of another engine holds no contacts";
+    if (this.without_contacts()) return no_contacts;
+    if (this.of_another && this.contacts[Math.max(0, this.index(step))] === 0) return `${no_contacts} of step ${step}`;
+    return "this page has no contacts of this state; a served page (tumble view without -o) has all";
   }
 
   energy(i) {

@@ -62,14 +62,16 @@ export function listen(canvas, stage, picked = null) {
 }
 
 /// The middle nine tenths of all places, so that one body that flew off does not make the others invisible.
-/// places: [[x…], [y…], [z…]], m. Returns {centre, radius}.
-export function box_around(places, size) {
+/// places: [[x…], [y…], [z…]], m. ground: bodies that hang above it, and not far, will fall on it. Returns {centre, radius}.
+export function box_around(places, size, ground = false) {
   const ends = places.map((axis) => {
     const sorted = axis.filter((value) => Number.isFinite(value)).sort((a, b) => a - b);
     if (sorted.length === 0) return [0, 0];
     return [sorted[Math.floor(0.05 * (sorted.length - 1))], sorted[Math.ceil(0.95 * (sorted.length - 1))]];
   });
-  const centre = ends.map(([low, high]) => (low + high) / 2);
+  const low = ends[2][0];
+  if (ground && low > 2 * size && low < 10 * Math.max(size, ...ends.map(([from, to]) => to - from))) ends[2][0] = 0;
+  const centre = ends.map(([from, to]) => (from + to) / 2);
   const reach = Math.hypot(...ends.map(([low, high]) => high - low));
   return { centre, radius: Math.max(reach / 2 + Math.min(Math.max(size, 0.1), 4), 1e-3) };
 }
