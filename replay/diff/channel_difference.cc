@@ -34,15 +34,9 @@ bool same_value_at(const ComparedChannel& both, std::size_t i, std::size_t j) {
   return is_number(kind) ? both.a.bits[i] == both.b.bits[j] : both.a.bytes[i] == both.b.bytes[j];
 }
 
-bool is_whole(ChannelKind kind) { return kind == ChannelKind::kInt64 || kind == ChannelKind::kUint64; }
-
 /// How far two numbers are apart; NaN where one is none.
 double distance_at(const ComparedChannel& both, std::size_t i, std::size_t j) {
-  const ChannelKind kind = both.channel.type.kind, kind_b = both.channel.kind_b;
-  const double apart = std::fabs(number_of(both.a.value(i, kind)) - number_of(both.b.value(j, kind_b)));
-  // Doubles beyond 2^53 do not tell all whole numbers apart; the bits of near ones do.
-  if (!is_whole(kind) || !is_whole(kind_b) || !(apart < 0x1p53)) return apart;
-  return std::fabs(static_cast<double>(static_cast<std::int64_t>(both.a.bits[i] - both.b.bits[j])));
+  return distance_between(both.a.value(i, both.channel.type.kind), both.b.value(j, both.channel.kind_b));
 }
 
 bool excused(const ComparedChannel& both, std::size_t i, std::size_t j, const Tolerances& tolerances) {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "replay/format/limits.h"
 #include "src/base/check.h"
@@ -25,6 +26,19 @@ std::string float_text(float value) {
   std::array<char, 40> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   return {digits.data(), end.ptr};
+}
+
+struct Whole {
+  bool is_negative = false;
+  std::uint64_t size = 0;
+};
+
+std::optional<Whole> whole_of(const ChannelValue& value) {
+  if (const auto* number = std::get_if<std::uint64_t>(&value)) return Whole{false, *number};
+  const auto* number = std::get_if<std::int64_t>(&value);
+  if (number == nullptr) return std::nullopt;
+  const auto bits = static_cast<std::uint64_t>(*number);
+  return Whole{*number < 0, *number < 0 ? 0 - bits : bits};
 }
 
 std::string hex_text(const std::string& bytes) {
@@ -97,6 +111,25 @@ double number_of(const ChannelValue& value) {
   if (const auto* number = std::get_if<std::int64_t>(&value)) return static_cast<double>(*number);
   if (const auto* number = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*number);
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+double distance_between(const ChannelValue& a, const ChannelValue& b) {
+  const std::optional<Whole> x = whole_of(a), y = whole_of(b);
+  if (!x || !y) return std::fabs(number_of(a) - number_of(b));
+  if (x->is_negative == y->is_negative) {
+    return static_cast<double>(std::max(x->size, y->size) - std::min(x->size, y->size));
+  }
+  const std::uint64_t sum = x->size + y->size;
+  if (sum >= x->size) return static_cast<double>(sum);
+  // 2^64 and more: its half, in which a 1 for the bit that is lost rounds as the sum would.
+  return 2 * static_cast<double>(1ULL << 63U | sum >> 1U | (sum & 1U));
+}
+
+bool is_rounded(const ChannelValue& value) {
+  const std::optional<Whole> whole = whole_of(value);
+  if (!whole || whole->size == 0) return false;
+  const int digits = static_cast<int>(std::bit_width(whole->size)) - std::countr_zero(whole->size);
+  return digits > std::numeric_limits<double>::digits;
 }
 
 ChannelValue ChannelValues::value(std::size_t row, ChannelKind kind) const {

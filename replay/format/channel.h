@@ -83,6 +83,13 @@ std::string to_string(const ChannelValue& value, ChannelKind kind);
 /// The value as a number; NaN for bytes and text.
 double number_of(const ChannelValue& value);
 
+/// How far two numbers are apart: of two whole numbers their exact distance, rounded once to the nearest double. NaN
+/// where one is none.
+double distance_between(const ChannelValue& a, const ChannelValue& b);
+
+/// Whether number_of() is another number: a whole number beyond 2^53 that no double is.
+bool is_rounded(const ChannelValue& value);
+
 /// The values of one channel in one step: one row each, by ascending key.
 struct ChannelValues {
   std::vector<ChannelKey> keys;

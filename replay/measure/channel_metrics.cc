@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "replay/format/not_finite.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -46,6 +46,20 @@ std::optional<double> ChannelMetrics::value(ChannelStatistic statistic) const {
   return change_max;
 }
 
+std::vector<std::string> approximations(const std::vector<ChannelMetrics>& channels) {
+  std::vector<std::string> names;
+  for (const ChannelMetrics& metrics : channels) {
+    if (metrics.rounded) names.push_back(in_quotes(metrics.channel.name));
+  }
+  if (names.empty()) return {};
+  constexpr std::size_t kShown = 3;
+  const std::size_t more = names.size() - std::min(names.size(), kShown);
+  names.resize(names.size() - more);
+  return {"min, max, mean and last of " + std::string(names.size() + more == 1 ? "channel " : "channels ") +
+          joined(names, ", ") + (more > 0 ? " and " + std::to_string(more) + " more" : "") +
+          " are of the nearest doubles: whole numbers beyond 2^53"};
+}
+
 ChannelMeter::ChannelMeter(const std::vector<Channel>& channels) {
   for (const Channel& channel : channels) {
     metrics_.emplace_back();
@@ -65,8 +79,7 @@ void ChannelMeter::compare(ChannelMetrics& metrics, const ChannelValues& now, co
     if (same) continue;
     ++metrics.changes;
     if (!is_number(kind)) continue;
-    const double change = std::fabs(number_of(now.value(i, kind)) - number_of(before.value(j, kind)));
-    metrics.change_max = largest(metrics.change_max, change);
+    metrics.change_max = largest(metrics.change_max, distance_between(now.value(i, kind), before.value(j, kind)));
   }
 }
 
@@ -81,6 +94,7 @@ void ChannelMeter::add(const Extras& extras) {
     for (std::size_t i = 0; i < now.size(); ++i) {
       const bool first_value = metrics.values++ == 0;
       if (!is_number(kind)) continue;
+      metrics.rounded = metrics.rounded || is_rounded(now.value(i, kind));
       const double value = number_of(now.value(i, kind));
       metrics.min = first_value ? value : least(metrics.min, value);
       metrics.max = first_value ? value : largest(metrics.max, value);

@@ -31,6 +31,7 @@ struct ChannelMetrics {
   std::uint64_t changes = 0;  ///< to the bit
   /// Of a channel of numbers with a value. A value that is no number makes each of them NaN.
   double min = 0, max = 0, sum = 0, last = 0, change_max = 0;
+  bool rounded = false;  ///< a value is a whole number that no double is; change_max is exact up to 2^53 all the same
 
   /// None: no value, or a channel of bytes or text, which has only changes.
   [[nodiscard]] std::optional<double> value(ChannelStatistic statistic) const;
@@ -44,6 +45,9 @@ struct ChannelRow {
   double min = 0, max = 0, sum = 0;
   [[nodiscard]] double mean() const { return sum / static_cast<double>(values); }
 };
+
+/// For people: which of them are not exact, and why.
+std::vector<std::string> approximations(const std::vector<ChannelMetrics>& channels);
 
 /// The parts of "channel.NAME.max"; none where a text is no such name.
 struct ChannelMetricName {

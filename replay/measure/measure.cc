@@ -167,6 +167,7 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   metrics_.first_lost = meter_->first_lost();
   metrics_.not_finite = meter_->not_finite();
   metrics_.approximations = meter_->approximations();
+  for (std::string& note : approximations(metrics_.channels)) metrics_.approximations.push_back(std::move(note));
   if (metrics_.not_finite.any) spoil(energy);
   return metrics_;
 }

@@ -72,7 +72,7 @@ struct Metrics {
   std::vector<ChannelMetrics> channels;     ///< of the log, by ascending names
   std::vector<Parting> partings;            ///< from another session; the Measurer knows none
   Hash128 final_hash;                       ///< the state hash after the last step
-  std::vector<std::string> approximations;  ///< for people: StateMeter::approximations()
+  std::vector<std::string> approximations;  ///< for people: of bodies, and of channels
   std::string told;                         ///< ToldWatch::note(), which measure_log() sets
   std::optional<FirstLost> first_lost;      ///< of StackingMetrics::lost
   LostBodies not_finite;                    ///< bodies that were not finite in a measured state
