@@ -53,6 +53,7 @@ struct EngineAccuracy {
   Peer peer;
   std::string engine;  ///< "Bullet 3.24"
   std::array<AccuracyRun, kSettings.size()> runs;
+  std::string failure;  ///< of one of its runs, after which there is none
 
   [[nodiscard]] const RowDistribution& limit() const { return runs.front().rows; }
   [[nodiscard]] std::uint32_t most(const Setting& setting) const {
@@ -107,8 +108,8 @@ class AccuracySession {
   std::filesystem::path folder_;
 };
 
-/// Runs an engine's settings, cheap ones first, as far as the budget goes.
-Status run_engine(const AccuracySession& session, const BenchOptions& options, EngineAccuracy& engine) {
+/// Runs an engine's settings, cheap ones first, as far as the budget goes and the engine does not fail.
+void run_engine(const AccuracySession& session, const BenchOptions& options, EngineAccuracy& engine) {
   std::array<std::size_t, kSettings.size()> order{};
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::ranges::stable_sort(order, {}, [](std::size_t k) { return kSettings[k].work(); });
@@ -124,12 +125,17 @@ Status run_engine(const AccuracySession& session, const BenchOptions& options, E
       continue;
     }
     if (options.budget && spent + rate * work > *options.budget) continue;
-    if (Status ok = session.run(engine, k); !ok.ok()) return ok;
+    if (Status ok = session.run(engine, k); !ok.ok()) {
+      engine.failure = "dt 1/" + std::to_string(kSettings[k].per_second) + ", " +
+                       count_text(static_cast<std::uint64_t>(kSettings[k].substeps), "substep") + ": " +
+                       ok.error().message;
+      engine.runs[k] = {};
+      break;
+    }
     spent += engine.runs[k].seconds;
     rate = engine.runs[k].seconds / work;
   }
   for (AccuracyRun& run : engine.runs) run.from_limit = distance(run.rows, engine.limit());
-  return {};
 }
 
 std::string length_text(const std::optional<double>& value) { return value ? rounded(*value, "m") : "–"; }
@@ -154,11 +160,12 @@ void print(const EngineAccuracy& engine) {
                std::to_string(all > 0 ? all - run.rows.y.size() : 0)});
   }
   table.print();
+  if (!engine.failure.empty()) std::cout << "failed at " << printable(engine.failure) << '\n';
   std::cout.flush();
 }
 
 Json to_json(const EngineAccuracy& engine) {
-  Json out = {{"engine", engine.engine}};
+  Json out = {{"engine", engine.engine}, {"failure", engine.failure}};
   out["runs"] = Json::array();
   for (std::size_t k = 0; k < kSettings.size(); ++k) {
     const AccuracyRun& run = engine.runs[k];
@@ -211,10 +218,12 @@ Result<Exit> bench_accuracy(const BenchOptions& options) {
         << "from the limit: mean distance of the cubes along y, in ascending order\n"
         << "guaranteed by construction: lateral and column spread of thesis and layered are 0; measured: all else\n";
   }
+  FailedRuns failed;
   std::vector<EngineAccuracy> engines;
   for (const Peer& peer : choice->peers) {
-    engines.push_back({peer, peer.word, {}});
-    if (Status ok = run_engine(session, options, engines.back()); !ok.ok()) return ok.error();
+    engines.push_back({peer, peer.word, {}, ""});
+    run_engine(session, options, engines.back());
+    if (!engines.back().failure.empty()) failed.add(engines.back().engine, "grid_" + *side, engines.back().failure);
     if (!options.json) print(engines.back());
     results["engines"].push_back(to_json(engines.back()));
   }
@@ -229,6 +238,7 @@ Result<Exit> bench_accuracy(const BenchOptions& options) {
     table.print();
   }
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (Status ok = failed.status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

@@ -79,8 +79,23 @@ Result<Json> run_for_json(std::vector<std::string> words, const fs::path& folder
   if (!end.ok()) return end.error();
   const Result<std::string> text = golden::read_text(task.out), said = golden::read_text(task.err);
   Json json = Json::parse(text.ok() ? *text : "", nullptr, false);
-  if (end->well() && !json.is_discarded()) return json;
-  return cannot_finish(end->text() + (said.ok() && !said->empty() ? ": " + *said : ""));
+  const bool is_result = json.is_object() && json.contains("engine") && json.contains("cpu_s");
+  if (end->well() && is_result) return json;
+  std::string words_said = said.ok() ? *said : "";
+  while (!words_said.empty() && words_said.back() == '\n') words_said.pop_back();
+  words_said = printable(replaced(words_said, "\n", "; "));
+  if (end->well()) return cannot_finish("printed no result" + (words_said.empty() ? "" : ": " + words_said));
+  return cannot_finish(end->text() + (words_said.empty() ? "" : ": " + words_said));
+}
+
+void FailedRuns::add(const std::string& engine, const std::string& place, const std::string& why) {
+  if (++count_ == 1) first_ = engine + " in " + place + ": " + why;
+}
+
+Status FailedRuns::status() const {
+  if (count_ == 0) return {};
+  return cannot_finish(count_text(count_, "run") + " of engines failed" + (count_ > 1 ? ", first " : ": ") + first_ +
+                       "; the results are those of the other runs");
 }
 
 }  // namespace tumble::tools

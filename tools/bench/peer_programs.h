@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -37,5 +38,18 @@ std::vector<std::string> peer_command(const Peer& peer, const std::string& scene
 
 /// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with its end and its message.
 Result<Json> run_for_json(std::vector<std::string> words, const std::filesystem::path& folder);
+
+/// Runs of engines that failed. A benchmark goes on without them, and does not end well.
+class FailedRuns {
+ public:
+  /// "ode in grid_20: …".
+  void add(const std::string& engine, const std::string& place, const std::string& why);
+  /// Errors (kCannotFinish): the first failure, and how many there are.
+  [[nodiscard]] Status status() const;
+
+ private:
+  std::string first_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace tumble::tools

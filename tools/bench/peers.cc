@@ -93,9 +93,8 @@ class SceneRun {
     score.seconds.push_back((*line)["cpu_s"]);
   }
 
-  /// Two runs for the log, with the bodies added in two orders.
+  /// Two runs for the log, with the bodies added in two orders. Errors: of the engine, whose score is a failure then.
   Status judge(const Peer& peer, Score& score) const {
-    if (!score.failure.empty()) return {};
     const std::string first = (folder_ / "first.tumble").string(), other = (folder_ / "shuffled.tumble").string();
     for (const std::string& path : {first, other}) {
       std::vector<std::string> words = command(peer);
@@ -156,6 +155,9 @@ void print(const PeerScene& scene, const sim::SceneDef& def, const std::vector<S
                m.energy.gain_ratio ? rounded(*m.energy.gain_ratio, "") : "–", std::to_string(m.stacking.lost)});
   }
   table.print();
+  for (const Score& score : scores) {
+    if (!score.failure.empty()) std::cout << score.engine << " failed: " << printable(score.failure) << '\n';
+  }
   std::cout.flush();
 }
 
@@ -215,6 +217,7 @@ Result<Exit> bench_peers(const BenchOptions& options) {
   results["left_out"] = choice->left_out;
   results["scenes"] = Json::array();
   if (!options.json) std::cout << machine_text(results["machine"]) << '\n';
+  FailedRuns failed;
   for (const PeerScene& scene : scenes) {
     if (!chosen(scene, options)) continue;
     const Result<sim::SceneDef> def = bench_scene(scene.file, scene.overrides);
@@ -225,12 +228,16 @@ Result<Exit> bench_peers(const BenchOptions& options) {
       for (std::size_t i = 0; i < peers.size(); ++i) runs.time(peers[i], scores[i]);
     }
     for (std::size_t i = 0; i < peers.size(); ++i) {
-      if (Status ok = runs.judge(peers[i], scores[i]); !ok.ok()) return ok.error();
+      Score& score = scores[i];
+      Status judged = score.failure.empty() ? runs.judge(peers[i], score) : Status();
+      if (!judged.ok()) score.failure = judged.error().message;
+      if (!score.failure.empty()) failed.add(score.engine, scene.name, score.failure);
     }
     if (!options.json) print(scene, *def, scores);
     results["scenes"].push_back(to_json(scene, *def, scores));
   }
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (Status ok = failed.status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

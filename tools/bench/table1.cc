@@ -107,7 +107,7 @@ class Table1Run {
 
   /// Runs a cell and its peers in turn, if the budget allows each of them.
   Status run_cell(Table1Cell& cell) {
-    for (const Peer& peer : peers_) cell.peers.push_back({peer.word, 0, std::nullopt});
+    for (const Peer& peer : peers_) cell.peers.push_back({peer.word, 0, std::nullopt, ""});
     if (!ours_[cell.half].has_room(cell.thesis(), options_)) return {};
     std::vector<std::string> overrides = overrides_of(cell, cell.dt(), static_cast<std::uint64_t>(cell.label()));
     overrides.push_back(std::string("world.method=") + name_of(method_));
@@ -124,15 +124,24 @@ class Table1Run {
     cell.seconds = median(runs);
     ours_[cell.half].rate = *cell.seconds / cell.thesis();
     for (std::size_t k = 0; k < peers_.size(); ++k) {
+      const PeerCell& peer = cell.peers[k];
       if (!peer_runs[k].empty()) cell.peers[k].seconds = median(peer_runs[k]);
+      if (peer.failure.empty()) continue;
+      failed_.add(peers_[k].word,
+                  count_text(static_cast<std::uint64_t>(cell.cubes()), "cube") + " with " +
+                      count_text(peer.substeps, "substep"),
+                  peer.failure);
     }
     return {};
   }
 
+  [[nodiscard]] const FailedRuns& failed() const { return failed_; }
+
  private:
-  /// An engine that fails has no time.
+  /// An engine that fails has no time in this cell.
   void run_peer(Table1Cell& cell, std::size_t k, std::vector<double>& runs) {
     PeerCell& out = cell.peers[k];
+    if (!out.failure.empty()) return;
     out.substeps = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::lround(cell.substeps_mean)));
     const double work = static_cast<double>(cell.cubes()) * static_cast<double>(out.substeps) / cell.dt();
     if (!peers_spent_[k].has_room(work, options_)) return;
@@ -141,7 +150,11 @@ class Table1Run {
     const Result<Json> done = run_for_json(peer_command(peers_[k], bench_scene_path("tilted_grid"),
                                                         overrides_of(cell, dt_s, takes_substeps ? out.substeps : 1)),
                                            folder_);
-    if (!done.ok()) return;
+    if (!done.ok()) {
+      out.failure = done.error().message;
+      runs.clear();
+      return;
+    }
     out.engine = (*done)["engine"];
     if (takes_substeps) out.engine += ' ' + peers_[k].word;
     runs.push_back((*done)["cpu_s"]);
@@ -153,6 +166,7 @@ class Table1Run {
   std::filesystem::path folder_;
   std::vector<Peer> peers_;
   std::vector<Spent> peers_spent_;
+  FailedRuns failed_;
   std::array<Spent, 2> ours_;  // of each half; both know all that was spent
 };
 
@@ -187,6 +201,7 @@ Result<Exit> bench_table1(const BenchOptions& options) {
     print_table1(cells, method);
   }
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (Status ok = runs.failed().status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

@@ -17,6 +17,7 @@ struct PeerCell {
   std::string engine;             ///< "Bullet 3.24"
   std::uint64_t substeps = 0;     ///< of each step, all of one length: the mean of ours, rounded
   std::optional<double> seconds;  ///< CPU; none: beyond the budget, or it failed
+  std::string failure;
 };
 
 struct Table1Cell {

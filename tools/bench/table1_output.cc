@@ -63,7 +63,7 @@ std::vector<std::string> line(const Table1Cell& cell, sim::Method method) {
       reference(cell.havok()),
       ratio_text(cell.havok().seconds, cell.seconds)};
   for (const PeerCell& peer : cell.peers) {
-    words.push_back(peer.seconds ? short_number(*peer.seconds) : "not run");
+    words.push_back(peer.seconds ? short_number(*peer.seconds) : peer.failure.empty() ? "not run" : "failed");
     words.push_back(ratio_text(peer.seconds, cell.seconds));
   }
   words.push_back(cell.seconds ? rounded(cell.lateral, "m") : "");
@@ -102,8 +102,10 @@ Json cell_json(const Table1Cell& cell, sim::Method method) {
               {"column_spread", optional_json(cell.spread)}};
   out["engines"] = Json::array();
   for (const PeerCell& peer : cell.peers) {
-    out["engines"].push_back(
-        {{"engine", peer.engine}, {"substeps", peer.substeps}, {"cpu_s", optional_json(peer.seconds)}});
+    out["engines"].push_back({{"engine", peer.engine},
+                              {"substeps", peer.substeps},
+                              {"cpu_s", optional_json(peer.seconds)},
+                              {"failure", peer.failure}});
   }
   return out;
 }
