@@ -53,14 +53,15 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   result.shards = options.selection.shards;
   result.problems = suite->problems;
   if (selected.empty() && result.shards == 1) result.problems.emplace_back("no case was run");
-  const CanaryRoll canaries = run_canaries(options.canary_judge, result.shard, result.shards);
-  result.canaries = canaries.results();
   const std::vector<CaseFolder> mine = selected;
   const std::vector<CaseFolder> folders = longest_first(std::move(selected));
   if (!options.report.empty()) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
   }
   if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
+  const CanaryRoll canaries =
+      run_canaries(options.canary_judge, result.shard, result.shards);  // bad input is said first
+  result.canaries = canaries.results();
   // Asked here too: no case may be the shard's, or all may end before the signal is seen.
   const auto interrupted = [&] { return options.pool.cancel && options.pool.cancel(); };
   if (interrupted()) return cannot_finish("interrupted before the first case");

@@ -88,8 +88,11 @@ std::string read_command(TableReader& reader, const char* key, bool shell) {
 EngineProject read_engine(TableReader& reader, const toml::table& table) {
   EngineProject project;
   project.shell = reader.flag("shell", false);
-  project.build = read_texts(reader, table, "build", "a command line or a list of them, each with its quotes closed",
-                             [&](const std::string& command) { return is_splittable(command, project.shell); });
+  project.build =
+      read_texts(reader, table, "build",
+                 "a command line or a list of them, each with its quotes closed, or no key where nothing is "
+                 "to be built",
+                 [&](const std::string& command) { return is_splittable(command, project.shell); });
   project.run = read_command(reader, "run", project.shell);
   if (project.run.find("{log}") == std::string::npos) {
     reader.fail("run", "a command line with {log} in it, the file that the engine has to write");

@@ -157,7 +157,10 @@ void ExpectedComparer::compare_extras(const replay::StepRecord& record) {
   if (!extra_details_.empty()) return;
   const std::vector<std::string> fields = extras_->differing(record);
   if (fields.empty()) return;
-  if (extra_fields_.empty()) extra_fields_ = fields;
+  if (extra_fields_.empty()) {
+    extra_fields_ = fields;
+    extra_step_ = record.step;
+  }
   note_first(record.step, extra_fields_.front());
   for (const std::string& field : fields) {
     if (extra_details_.size() == kExtrasNamed) break;
@@ -280,7 +283,7 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
     if (!detail.empty()) first_->details.push_back(detail);
   }
   if (extra_fields_.size() > 1 || (!extra_fields_.empty() && !is_extra(*first_))) {
-    std::string text = "channels and contacts that differ in that step: ";
+    std::string text = "channels and contacts that differ in step " + number(extra_step_) + ": ";
     for (std::size_t i = 0; i < extra_fields_.size(); ++i) text += (i == 0 ? "" : ", ") + extra_fields_[i];
     first_->details.push_back(std::move(text));
   }

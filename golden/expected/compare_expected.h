@@ -91,6 +91,7 @@ class ExpectedComparer {
   std::string bodies_detail_;
   std::string field_detail_;
   std::vector<std::string> extra_fields_;  // channels and contacts that differ in the first step in which any does
+  std::uint64_t extra_step_ = 0;
   std::vector<std::string> extra_details_;
   std::vector<std::string> notes_;
   Apart apart_;

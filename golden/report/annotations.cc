@@ -26,7 +26,9 @@ std::string message_of(const CaseResult& result) {
   std::string text = summary(result);
   if (result.difference) {
     text += "; first difference: " + describe(*result.difference);
-    if (!result.difference->details.empty()) text += ": " + result.difference->details.front();
+    const std::vector<std::string>& details = result.difference->details;
+    const std::size_t shown = result.difference->apart ? 1 : 0;  // the distance comes first there, and in the summary
+    if (result.difference->phase != kSetup && shown < details.size()) text += "; " + details[shown];
   }
   for (const MetricResult& metric : result.metrics) {
     if (!metric.pass) text += "; " + metric.rule.name + ": " + metric.message;

@@ -94,8 +94,8 @@ Html file_list(const CaseResult& result) {
 Html body_of(const CaseResult& result, const std::string& suite, ReportFiles& files) {
   Html out("<div class=\"inside\">\n");
   out << element("<p class=\"soft\">",
-                 result.title + " · " + count_text(result.bodies, "body") + ", " + count_text(result.steps, "step") +
-                     ", " + fixed(result.seconds, 2) + " s",
+                 (result.title.empty() ? "" : result.title + " · ") + count_text(result.bodies, "body") + ", " +
+                     count_text(result.steps, "step") + ", " + fixed(result.seconds, 2) + " s",
                  "</p>\n");
   if (result.blessed_by) {
     out << element("<p class=\"soft\">", "blessed: " + describe(*result.blessed_by), "</p>\n");

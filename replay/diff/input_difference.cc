@@ -18,7 +18,11 @@ std::optional<sim::BodyId> body_of(const NamedValues& values) {
 
 std::string names_of(std::span<const sim::Command> inputs) {
   std::string names;
-  for (const sim::Command& input : inputs) names += (names.empty() ? "" : ", ") + std::string(sim::name_of(input));
+  for (const sim::Command& input : inputs) {
+    names += (names.empty() ? "" : ", ") + std::string(sim::name_of(input));
+    if (const sim::BodyId body = body_of(values_of(input)).value_or(0); body != 0)
+      names += " body " + std::to_string(body);
+  }
   return names.empty() ? "none" : names;
 }
 

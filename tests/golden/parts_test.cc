@@ -135,6 +135,20 @@ TEST(Canaries, ShowAJudgeThatSeesNothingOrTooMuch) {
   EXPECT_FALSE(result->passed());
 }
 
+TEST(Canaries, AreAskedOnceNothingIsWrongWithTheSuite) {
+  const TemporarySuite suite;
+  suite.add("fall", kFallingBoxes, "[engine]\nscene = \"scene.toml\"\n" + std::string(kTwoMetrics));
+  static int asked = 0;
+  CheckOptions options;
+  options.suite = suite.root();
+  options.canary_judge = [](replay::LogReader& log, const Reference& reference) {
+    ++asked;
+    return judge(log, reference);
+  };
+  EXPECT_FALSE(check_suite(options).ok()) << "it has no tumble.toml";
+  EXPECT_EQ(asked, 0) << "seconds of a wait for a message";
+}
+
 /// What a golden of the falling boxes holds.
 Expected some_golden() {
   const Result<sim::SceneDef> scene = scenes::parse_scene(kFallingBoxes, "s.toml");

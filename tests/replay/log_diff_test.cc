@@ -94,8 +94,8 @@ TEST(InputDifference, NamesTheFieldOfEachKindOfInput) {
   EXPECT_FALSE(input_difference(centre, sim::Push{3, {1, 0, 0}, true, {9, 9, 9}})) << "a point that is not read";
   const auto kinds = input_difference(sim::Wake{3}, sim::Remove{3});
   EXPECT_EQ(kinds->field, "inputs");
-  EXPECT_EQ(std::get<std::string>(kinds->expected), "wake");
-  EXPECT_EQ(std::get<std::string>(kinds->actual), "remove");
+  EXPECT_EQ(std::get<std::string>(kinds->expected), "wake body 3");
+  EXPECT_EQ(std::get<std::string>(kinds->actual), "remove body 3");
   EXPECT_TRUE(input_difference(sim::SetDt{0.0}, sim::SetDt{-0.0})) << "to the bit";
 }
 

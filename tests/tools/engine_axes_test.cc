@@ -2,6 +2,7 @@
 // engine does, counts ULPs of floats, and warns of what does not fit what the engine says of itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -169,7 +170,9 @@ TEST(EngineAxes, PhasesOfTwoLogsOfOneEngineAreCompared) {
 TEST(EngineAxes, ACaseIsJudgedInThem) {
   const Workshop shop;
   recorded(shop, "a");
-  recorded(shop, "b", heavier());
+  FloatEngine other = heavier();
+  other.contact_y = 31;
+  recorded(shop, "b", other);
   write_project(shop, "a");
   const auto write_case = [&](const std::string& axis) {
     shop.write("golden/cases/fall/level.txt", "one ball\n");
@@ -182,8 +185,13 @@ TEST(EngineAxes, ACaseIsJudgedInThem) {
   ASSERT_EQ(blessed.exit, 0) << blessed.err << blessed.out;
   EXPECT_EQ(shop.run({"check"}).exit, 0) << "z is horizontal";
   write_project(shop, "b");
-  const Outcome moved = shop.run({"check", "--report", "r"});
+  const Outcome moved = shop.run({"check", "--report", "r", "--annotate", "github"});
   EXPECT_EQ(moved.exit, 1);
+  EXPECT_TRUE(says(moved.out, "channels and contacts that differ in step 1: contacts")) << moved.out;
+  const std::string annotation = moved.out.substr(std::min(moved.out.find("::error"), moved.out.size()));
+  EXPECT_TRUE(says(annotation, "; first difference: step 1, substep 0, phase move; at step 1, 1 of 1 body differs")) << annotation;
+  EXPECT_FALSE(says(annotation, "largest distance")) << "the summary has it: " << annotation;
+  EXPECT_FALSE(says(shop.read("r/index.html"), "> · 1 body")) << "a case without a title";
   EXPECT_TRUE(says(moved.out, "position.y") || says(moved.out, "velocity.y")) << moved.out;
   EXPECT_FALSE(says(moved.out, "position.z") || says(moved.out, "velocity.z")) << moved.out;
   const std::string track = shop.read("r/cases/fall/expected_track.csv");

@@ -101,6 +101,7 @@ TEST(EngineProject, MistakesAreNamedWithFileLineAndKey) {
         "tumble.toml:2:7: [engine] key \"run\": found \"x\", wanted a command line with {log}");
   fails("[engine]\nrum = 'x {log}'\n", "tumble.toml:2:");
   fails("[engine]\nrun = 'x {log}'\nbuild = 'a \"b'\n", "tumble.toml:3:9: [engine] key \"build\": found");
+  fails("[engine]\nrun = 'x {log}'\nbuild = []\n", "or no key where nothing is to be built");
   fails("[engine]\nrun = 'x {log}'\nshell = 1\n", "tumble.toml:3:9: [engine] key \"shell\": found 1, wanted");
   fails("[engin]\nrun = 'x {log}'\n", "engin");
   fails("[engine]\nrun = '\n", "tumble.toml:2:");
