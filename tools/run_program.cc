@@ -47,7 +47,7 @@ constexpr std::array kCommands = {
     Command{"hunt", "judge random scenes by relations and laws, shrink what fails", declare_hunt},
     Command{"bisect", "find the commit that changed a session", declare_bisect},
     Command{"bless", "accept the present results of cases as goldens", declare_bless},
-    Command{"import", "make a log of another engine's states in a table", declare_import},
+    Command{"import", "make a log of another engine's session", declare_import},
     Command{"export", "write a session in the formats of other programs", declare_export},
     Command{"bench", "measure speed and growth, compare with other engines", declare_bench},
     Command{"scenes", "list the scenes that can be recorded by name", declare_scenes},

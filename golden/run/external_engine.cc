@@ -101,12 +101,14 @@ std::string engine_line(const CaseEngine& engine, const std::string& name, bool 
   if (!words.ok()) return "";
   const std::string line = engine.project.shell ? words->back() : engine_words_text(*words);
   // The mark stands in single quotes: they end before the variable and begin again behind it.
-  const std::string log =
-      replaced(line, kLogMark, "'\"$OLDPWD\"/" + shell_quoted(name + (converts ? kRecordedEnding : ".tumble")) + "'");
+  const std::string written = shell_quoted(name + (converts ? kRecordedEnding : ".tumble"));
   std::error_code error;
   const fs::path here = fs::current_path(error);
   const std::string place = from_folder(folder.string(), here);
-  const std::string runs = "(cd " + shell_quoted(place) + " && " + replaced(log, "''", "") + ")";
+  const bool is_here = place == ".";
+  const std::string log = replaced(line, kLogMark, (is_here ? "'" : "'\"$OLDPWD\"/") + written + "'");
+  const std::string command = replaced(log, "''", "");
+  const std::string runs = is_here ? command : "(cd " + shell_quoted(place) + " && " + command + ")";
   return converts ? runs + "; " + import_line(engine, name) : runs;  // also of an engine that fails
 }
 

@@ -37,7 +37,8 @@ std::string why_missing(StepsAgain& steps, sim::BodyId body, std::uint64_t k) {
 Status check_step(LogReader& log, std::uint64_t k) {
   if (log.header().engine) {
     return bad_input(log.name() + ": this log was written by " + printable(to_string(*log.header().engine)) +
-                     ", whose steps this build cannot take again; 'tumble diff' and 'tumble dump' read such logs");
+                     ", whose steps this build cannot take again; 'tumble diff' compares such a log with another, with "
+                     "--zoom down to a line of the engine, and 'tumble dump' prints it");
   }
   if (k < log.first_state() || k > log.last_step()) {
     return bad_input(log.name() + ": found no step " + std::to_string(k) + ", wanted " +

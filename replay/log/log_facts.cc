@@ -15,7 +15,7 @@ class FactCounter {
   explicit FactCounter(LogReader& log) : log_(log), told_(log.header()) {
     facts_.bodies_at_start = log.header().scene.boxes.size();
     facts_.moving_body_steps = 0;
-    for (const sim::BoxDef& box : log.header().scene.boxes) note_static(box);
+    for (const sim::BoxDef& box : log.header().scene.boxes) note(box);
     if (Result<const StepRecord*> start = log.read_step(log.first_state()); start.ok()) {
       facts_.final_hash = (*start)->state_hash;
       told_.add(**start);
@@ -37,8 +37,10 @@ class FactCounter {
   }
 
  private:
-  void note_static(const sim::BoxDef& box) {
+  /// Returns whether no body had its id before.
+  bool note(const sim::BoxDef& box) {
     if (box.is_static) statics_.insert(box.id);
+    return ids_.insert(box.id).second;
   }
 
   void count(const StepRecord& record) {
@@ -50,10 +52,8 @@ class FactCounter {
     facts_.final_hash = record.state_hash;
     for (const sim::Command& input : record.inputs) {
       ++facts_.inputs[sim::name_of(input)];
-      if (const auto* thrown = std::get_if<sim::Throw>(&input)) {
-        ++facts_.bodies_thrown;
-        note_static(thrown->box);
-      }
+      const auto* thrown = std::get_if<sim::Throw>(&input);
+      if (thrown != nullptr && note(thrown->box)) ++facts_.bodies_thrown;
     }
     if (!record.has_states) facts_.moving_body_steps.reset();
     if (!facts_.moving_body_steps) return;
@@ -67,7 +67,7 @@ class FactCounter {
   LogFacts facts_;
   ToldWatch told_;
   SessionClock clock_;
-  std::set<sim::BodyId> statics_;
+  std::set<sim::BodyId> ids_, statics_;
 };
 
 }  // namespace

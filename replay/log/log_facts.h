@@ -15,7 +15,7 @@ namespace tumble::replay {
 /// Counts over all readable steps of a log.
 struct LogFacts {
   std::uint64_t bodies_at_start = 0;
-  std::uint64_t bodies_thrown = 0;
+  std::uint64_t bodies_thrown = 0;  ///< of other ids than any before: one that comes back is the same body
   std::uint64_t steps_read = 0;
   double seconds = 0;                              ///< simulated
   std::optional<double> dt_min, dt_max;            ///< s, of the steps read; none without one

@@ -214,7 +214,9 @@ TEST(ImportCsv, ErrorsNameFileLineAndColumn) {
          "t.csv:3:3: id: found \"-1\", wanted a whole number");
   expect(table("# dt: 0.1\n", good + good), "t.csv:3:1: found body 1 twice in the step");
   expect(table("# dt: 0.1\n", good + "2,1" + good.substr(3) + "3,1" + good.substr(3)),
-         "t.csv:5:1: step: found 3 after 2, wanted 4");
+         "t.csv:5:1: step: found 3 after 2, wanted 4: steps are equally far apart; one that is missing is a longer "
+         "step with a column "
+         "time in place of step");
   expect(table("# dt: 0.1\n", "5,1" + good.substr(3) + good), "t.csv:4:1: step: found 0 after 5, wanted a later one");
   expect(table("# dt: 0.1\n", ""), "found no row");
   expect(table("# dt: 9\n", good + "1,1" + good.substr(3)), "t.csv:4:1: found a step of 9 s");

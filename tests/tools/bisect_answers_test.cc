@@ -82,6 +82,18 @@ TEST(BisectAnswers, ResumesOnlyWhatItWroteAboutThisLog) {
   EXPECT_NE(other.err.find("another bisection"), std::string::npos) << other.err;
 }
 
+// A clone that another user owns is the usual one in a container of a CI service: git says what to do.
+TEST(BisectAnswers, WhatGitAdvisesIsPassedOn) {
+  const Workshop shop;
+  const History history(shop, {.commits = 2, .fault = 3, .broken = {}});
+  const Outcome refused =
+      shop.run_after("GIT_TEST_ASSUME_DIFFERENT_OWNER=1; export GIT_TEST_ASSUME_DIFFERENT_OWNER; ",
+                     {"bisect", "--repo", "project", "--good", "HEAD~1", "--bad", "HEAD", "session.tumble"});
+  EXPECT_EQ(refused.exit, 2) << refused.out;
+  EXPECT_NE(refused.err.find("git advises: git config --global --add safe.directory"), std::string::npos)
+      << refused.err;
+}
+
 // Inputs that were made while the session ran are in no scene: the lengths of steps in real time, say.
 TEST(BisectAnswers, AMetricIsOfTheSessionWithAllItsInputs) {
   const Workshop shop;

@@ -164,6 +164,7 @@ TEST(EngineCase, NeedsNoSceneOfOursAndIsStaleWhereAnInputFileChanged) {
   EXPECT_EQ(shop.run({"check", "--category", "towers of toys"}).exit, 0);
   EXPECT_EQ(shop.run({"check", "--category", "stacking"}).exit, 2);
   const std::string line = one["reproduce"];
+  EXPECT_FALSE(says(line, "cd ")) << line;
   EXPECT_EQ(std::system(("cd '" + shop.path("") + "' && " + line).c_str()), 0) << line;
   EXPECT_EQ(shop.run({"info", "stack.tumble"}).exit, 0) << line;
 

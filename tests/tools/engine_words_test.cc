@@ -43,6 +43,19 @@ TEST(EngineAxes, BisectionNamesThemAndSaysWhenALogIsOfNeitherEnd) {
   EXPECT_TRUE(says(neither.err, "record LOG anew at the good revision")) << neither.err;
 }
 
+TEST(EngineWords, ABodyThatComesBackIsCountedOnce) {
+  const Workshop shop;
+  const std::string at = ",0,0,1,1,0,0,0\n";
+  std::string table =
+      "# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z\n";
+  for (const char* row : {"0,1", "0,2", "1,1", "2,1", "2,2", "3,1", "3,2", "3,3"}) table.append(row).append(at);
+  shop.write("come.csv", table);
+  ASSERT_EQ(shop.run({"import", "come.csv"}).exit, 0);
+  const std::string info = shop.run({"info", "come.tumble"}).out;
+  EXPECT_TRUE(says(info, "bodies      3, 1 of them thrown in\n")) << info;
+  EXPECT_TRUE(says(info, "1 × remove, 2 × throw")) << info;
+}
+
 TEST(EngineAxes, BodiesAreChosenAndPrintedByName) {
   const Workshop shop;
   recorded(shop, "a");

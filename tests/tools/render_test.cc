@@ -124,6 +124,9 @@ TEST_F(ToolsRender, MakesMoviesOfBothKindsAndSlowMotion) {
   ASSERT_EQ(mp4.exit, 0) << mp4.err;
   EXPECT_EQ(nlohmann::json::parse(mp4.out)["pictures"], 21) << "40 steps of 1/60 s at 30 frames a second";
   EXPECT_EQ(shop_.read("s.mp4").substr(4, 4), "ftyp");
+  shop_.record_small("float", {"--set", "world.dt=0.01666666753590107"});
+  const Outcome of_float = shop_.run({"render", "float.tumble", "-o", "f.mp4", "--size", "32x32", "--samples", "1"});
+  EXPECT_NE(of_float.out.find("0 to 40 in 21 pictures"), std::string::npos) << of_float.out;
   const Outcome webm = shop_.run({"render", "s.tumble", "-o", "s.webm", "--size", "64x48", "--samples", "1", "--steps",
                                   "0:4", "--speed", "0.25", "--json"});
   ASSERT_EQ(webm.exit, 0) << webm.err;

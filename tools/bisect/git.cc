@@ -14,6 +14,13 @@ namespace {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+/// The first line of what git said, and the command that it advises: of a folder that another user owns, as in a
+/// container.
+std::string gist_of(const std::string& text) {
+  const std::size_t advice = text.find("git config ");
+  return first_line(text) + (advice == std::string::npos ? "" : "; git advises: " + first_line(text.substr(advice)));
+}
+
 /// Status 1 of a git command that answers a question.
 constexpr const char* kNo = "no";
 
@@ -30,7 +37,7 @@ Result<std::string> Git::run(const std::string& folder, std::vector<std::string>
   if (!end.ok()) return cannot_finish("bisect needs git: " + end.error().message);
   const Result<std::string> words_of_git = golden::read_text(task.err);
   if (!end->well()) {
-    const std::string said = words_of_git.ok() ? first_line(*words_of_git) : "";
+    const std::string said = words_of_git.ok() ? gist_of(*words_of_git) : "";
     if (end->exit == 1 && said.empty()) return bad_input(kNo);
     return cannot_finish("git " + words.front() + ' ' + end->text() + (said.empty() ? "" : ": " + said));
   }

@@ -1,5 +1,6 @@
 // tumble render: pictures and movies of recorded states.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -32,11 +33,13 @@ struct Summary {
   std::uint64_t older = 0;                   // pictures of an earlier run in the folder
 };
 
-// "12" for a state, "11.25" for a moment between two.
-std::string moment_text(const Frame& frame) {
-  if (frame.is_state()) return std::to_string(frame.step);
-  return exact(static_cast<double>(frame.step) - 1 + frame.part);
+// In steps: 12 is a state, 11.25 a moment between two.
+double moment_of(const Frame& frame) {
+  const auto step = static_cast<double>(frame.step);
+  return frame.is_state() ? step : step - 1 + frame.part;
 }
+
+std::string moment_text(const Frame& frame) { return exact(moment_of(frame)); }
 
 render::PngText text_of(const replay::LogReader& log, const RenderPlan& plan, const Frame& frame, const Hash128& hash) {
   render::PngText text = {{"Software", "tumble " TUMBLE_VERSION},
@@ -167,9 +170,11 @@ void print_text(const RenderPlan& plan, const Summary& summary) {
   Listing listing;
   const char* what[] = {"picture", "folder", "movie"};
   listing.add(what[static_cast<int>(plan.kind)], printable(plan.output));
-  const std::string first = moment_text(plan.frames.front()), last = moment_text(plan.frames.back());
+  // To a thousandth of a step: dt as a float makes 239.99998748302525 of the last one.
+  const auto about = [](const Frame& frame) { return exact(std::round(1000 * moment_of(frame)) / 1000); };
+  const std::string first = about(plan.frames.front()), last = about(plan.frames.back());
   if (plan.frames.size() == 1) {
-    listing.add("step", first);
+    listing.add("step", moment_text(plan.frames.front()));
     listing.add("state hash", summary.first_hash);
   } else {
     listing.add("steps", first + " to " + last + " in " + count_text(summary.pictures, "picture"));

@@ -65,9 +65,10 @@ std::string thin_text(const Json& head) {
   const Json& thin = head["thin"];
   std::string text = printable(head["path"].get<std::string>()) + ": ";
   const std::uint64_t every = thin["every"], frames = thin["steps"].size();
-  text += every == 1 ? "every state" : "one state in " + std::to_string(every);
-  text += ", " + std::to_string(frames) + " in all, to 0.1 mm; contacts of " +
-          count_text(thin["contact_steps"].get<std::uint64_t>(), "state");
+  const std::uint64_t all = head["last"].get<std::uint64_t>() - head["first"].get<std::uint64_t>() + 1;
+  text += every == 1 ? "every state, " + std::to_string(frames) + " in all"
+                     : std::to_string(frames) + " of " + std::to_string(all) + " states";
+  text += ", to 0.1 mm; contacts of " + count_text(thin["contact_steps"].get<std::uint64_t>(), "state");
   return text;
 }
 

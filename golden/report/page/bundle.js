@@ -4020,16 +4020,16 @@ hed: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(hr("bodies
 ["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.
 push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the engine has other axes (").concat(a.axes,"); this \
 page shows places in m, z up").concat(t?", and names the first difference by the engine's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(
-l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):s.gaps().length>0?"has every state that could be rea\
-d":"has every state",u=s.rows.without_contacts()?"":", with the contacts of ".concat(l.contact_steps," state").concat(l.contact_steps===1?"":"s"),h=l.rows_run>1?
-"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(
-u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are counted no further:\
- ".concat(n)]),e}function i0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute(
-"role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),
-title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[
-...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...i1(l)])),
-n.replaceChildren(...s1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=
-a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var r1=12,Hs=i=>String(typeof i=="number"?i:i??"\u2013"),gs=(i,e="")=>X("td",{textContent:i,className:e}),ur=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
+l.steps.length," of ").concat(a.last-a.first+1," states").concat(l.every<a.last-a.first?" (one in ".concat(l.every,", and those of inputs)"):""):s.gaps().length>
+0?"has every state that could be read":"has every state",u=s.rows.without_contacts()?"":", with the contacts of ".concat(l.contact_steps," state").concat(l.contact_steps===
+1?"":"s"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,
+", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts\
+ begun are counted no further: ".concat(n)]),e}function i0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"\
+trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{
+let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.
+replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.
+head.title})]:[],...i1(l)])),n.replaceChildren(...s1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){
+s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var r1=12,Hs=i=>String(typeof i=="number"?i:i??"\u2013"),gs=(i,e="")=>X("td",{textContent:i,className:e}),ur=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
 let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Ws(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
 function o1(i,e,t,n){let s=i.map(({field:r,value:o,channel:a,with:l})=>{let c=l===null?r:"".concat(r," with ").concat(t.label(l)),d=gs("","number");if(a!==null&&

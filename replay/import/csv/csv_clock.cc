@@ -65,7 +65,11 @@ Result<double> CsvClock::begin_step(const CsvReader& table) {
   if (!(apart > 0)) return wrong("a later one: steps in order, and all rows of a step together");
   if (by_time) stride_ = 1;
   if (!by_time && steps_ == 2) stride_ = apart;
-  if (!by_time && apart != stride_) return wrong(text_of(before + stride_));
+  if (!by_time && apart != stride_) {
+    return wrong(text_of(before + stride_) +
+                 ": steps are equally far apart; one that is missing is a longer step with a " +
+                 "column time in place of step");
+  }
   if (!dt_ && dt_column_ != kNone) return table.number(dt_column_);
   if (!dt_) return time_ - time_before;
   const double dt = *dt_ * stride_;

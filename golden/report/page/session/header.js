@@ -27,7 +27,7 @@ function notices_of(page) {
     if (head.axes) notices.push(["", `${who}the engine has other axes (${head.axes}); this page shows places in m, z up${two ? ", and names the first difference by the engine's axes" : ""}`]);
     if (!thin) return;
     const every = thin.every > 1;
-    const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`
+    const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states${thin.every < head.last - head.first ? ` (one in ${thin.every}, and those of inputs)` : ""}`
       : session.gaps().length > 0 ? "has every state that could be read" : "has every state";
     const contacts = session.rows.without_contacts() ? "" : `, with the contacts of ${thin.contact_steps} state${thin.contact_steps === 1 ? "" : "s"}`;
     const rows = thin.rows_run > 1 ? `; its timeline has the largest values of ${thin.rows_run} steps each` : "";
