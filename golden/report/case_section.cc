@@ -104,7 +104,8 @@ Html body_of(const CaseResult& result, const std::string& suite, ReportFiles& fi
   if (!result.scene_changes.empty()) {
     std::vector<std::string> lines;
     for (const SceneChange& change : result.scene_changes) lines.push_back(describe(change));
-    out << "<h3>Lines of scene.toml that changed</h3>\n" << list_of(lines);
+    const char* files_of = lines.front().starts_with("line ") ? "scene.toml" : "its files";  // an engine's have names
+    out << element("<h3>Lines of ", files_of, " that changed</h3>\n") << list_of(lines);
   }
   out << verdict_list(result);
   if (result.difference) out << "<h3>How far it went</h3>\n" << list_of(result.difference->details);

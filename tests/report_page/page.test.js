@@ -39,6 +39,12 @@ before(async () => {
 });
 after(() => browser?.close());
 
+test("drawings that are not in view yet do not ask for JavaScript", async () => {
+  const fresh = await open();
+  assert.doesNotMatch(await fresh.locator("body").evaluate((body) => body.textContent), /need JavaScript/);
+  await fresh.context().close();
+});
+
 test("one click on a failed case of the summary leads to it", async () => {
   const link = page.locator(".glance a", { hasText: "moved" });
   await link.click();

@@ -175,6 +175,7 @@ TEST(EngineCase, NeedsNoSceneOfOursAndIsStaleWhereAnInputFileChanged) {
                    "stale: the input files are not those that were blessed: stack.txt, line 1: "
                    "0.5 1.5 2.5 3.5 → 0.5 1.5 2.5 3.6"))
       << stale.out;
+  EXPECT_TRUE(says(shop.read("r/index.html"), "<h3>Lines of its files that changed</h3>"));
   shop.write("golden/cases/stack/stack.txt", "0.5 1.5 2.5 3.5\n");
   write_project(shop, std::string(TUMBLE_TOY_ENGINE) + " --scene {scene} --log {log} --fault 9");
   const Outcome changed = shop.run({"check", "--report", "r"});

@@ -4353,7 +4353,8 @@ groups??"").split(" "),s=Up(i,e,{first:t,groups:n}),r=Qg(i,e,s.show_step);$a(()=
 i)}function F1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Bd(i){return e=>{
 try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var F0=document.createElement(
 "style");F0.textContent=rf+of+af;document.head.append(F0);for(let i of document.querySelectorAll("table.glance"))Bd(Vp)(i);for(let i of document.querySelectorAll(
-".drawing"))F1(i,Bd(U1));for(let i of document.querySelectorAll(".pictures"))Bd(Fp)(i);var U0=document.getElementById("session");U0&&D0(U0);})();
+".drawing"))i.querySelector("p").textContent="Plots and trajectories are drawn once they are in view.",F1(i,Bd(U1));for(let i of document.querySelectorAll(".pic\
+tures"))Bd(Fp)(i);var U0=document.getElementById("session");U0&&D0(U0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

@@ -56,7 +56,10 @@ const sheet = document.createElement("style");
 sheet.textContent = uplot_style + style + session_style;
 document.head.append(sheet);
 for (const table of document.querySelectorAll("table.glance")) guarded(make_overview)(table);
-for (const place of document.querySelectorAll(".drawing")) once_visible(place, guarded(draw_case));
+for (const place of document.querySelectorAll(".drawing")) {
+  place.querySelector("p").textContent = "Plots and trajectories are drawn once they are in view.";  // there is JavaScript
+  once_visible(place, guarded(draw_case));
+}
 for (const place of document.querySelectorAll(".pictures")) guarded(make_picture_viewer)(place);
 const session = document.getElementById("session");
 if (session) open_session(session);
