@@ -13,9 +13,11 @@ namespace tumble::tools {
 
 namespace {
 
-Json channels_of_body(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels) {
+/// pairs: the number of values of pairs, also of those beyond kPairsShown.
+Json channels_of_body(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels,
+                      std::size_t& pairs) {
   Json own = Json::array();
-  std::size_t column = 0, pairs = 0;  // by index in channel_columns()
+  std::size_t column = 0;  // by index in channel_columns()
   for (const std::size_t c : listed_order(channels)) {
     const auto& [kind, scope] = channels[c].type;
     const Json index = is_number(kind) ? Json(column++) : Json(nullptr);
@@ -25,7 +27,7 @@ Json channels_of_body(const replay::StepRecord& record, sim::BodyId id, const st
     for (std::size_t row = 0; row < values.size(); ++row) {
       const auto& [a, b] = values.keys[row];
       if (a != id && !(of_pairs && b == id)) continue;
-      if (of_pairs && ++pairs > kPairsShown) break;
+      if (of_pairs && ++pairs > kPairsShown) continue;
       own.push_back({{"field", printable(channels[c].name)},
                      {"value", printable(to_string(values.value(row, kind), kind) + ' ' + channels[c].unit)},
                      {"channel", index},
@@ -58,11 +60,10 @@ Json body_json(const replay::StepRecord& record, sim::BodyId id, const std::vect
     const double value = (*columns[c])[row];
     fields.push_back({{"field", replay::kColumnNames[c]}, {"value", number_json(value)}, {"hex", hex_text(value)}});
   }
-  return {{"id", id},
-          {"step", record.step},
-          {"frozen", states.frozen[row] != 0},
-          {"fields", fields},
-          {"channels", channels_of_body(record, id, channels)}};
+  std::size_t pairs = 0;
+  const Json own = channels_of_body(record, id, channels, pairs);
+  return {{"id", id},         {"step", record.step}, {"frozen", states.frozen[row] != 0},
+          {"fields", fields}, {"channels", own},     {"pairs", pairs}};
 }
 
 }  // namespace tumble::tools

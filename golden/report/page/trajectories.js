@@ -195,7 +195,7 @@ export function make_trajectories(section, data, tell_step) {
     element("h3", { textContent: "Where the bodies went" }), keys(), place,
     element("div", { className: "controls" }, player.bar, said),
     element("p", { className: "soft", textContent: "Drag or use the arrow keys to turn, + and - to zoom. " +
-      "Lines: the ways of the bodies that went furthest astray." }));
+      `Lines: the ways of ${data.bodies.id.length > kWaysMax ? `the ${kWaysMax} of ${data.bodies.id.length} bodies that went furthest astray` : "the bodies"}.` }));
   // Begins where there is most to see.
   const worst = apart.map((frame) => largest(frame.map((value) => value ?? 0)));
   player.seek(worst.indexOf(largest(worst)));

@@ -16,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export TUMBLE=$tumble CHROMIUM=$chromium MODULES=$modules
 # One after the other: two browsers at once would wait for each other's pictures.
-for part in session effect search gaps server engine access; do
+for part in session effect search gaps server engine caps access; do
   mkdir "$work/$part"
   WORK=$work/$part node --test tests/session_page/$part.test.js
 done

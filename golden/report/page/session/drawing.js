@@ -6,7 +6,7 @@ import { make_stage } from "../viewer/stage.js";
 
 const kApart_m = 0.0005;   // nearer than this a ghost would only hide what it haunts
 const kWaysMax = 24;
-const kLostMax = 50;
+export const kLostMax = 50;
 const kLook = { crate: "#c99a5b", brick: "#b8573f", wood: "#b58550", concrete: "#98a2ad", white: "#dfe4e8" };
 
 /// Blue, over green, to red: 0 … 1.
@@ -17,7 +17,7 @@ export class Drawing {
   constructor(place, sessions, picked) {
     Object.assign(this, { place, sessions, picked, frames: [null, null], selected: null, paint: "material",
       contacts: [null, null], with_contacts: false, with_ways: false, side_by_side: false, following: false, ways: new Map(),
-      lost_places: new Map(), top_speed: 1, focus: null });
+      lost_places: new Map(), ways_said: [], top_speed: 1, focus: null });
     this.open();
   }
 
@@ -221,20 +221,26 @@ export class Drawing {
     }), s);
   }
 
-  /// The bodies whose ways are shown: the selected one, else those thrown in, else some of all.
-  way_ids() {
-    if (this.selected !== null) return [this.selected];
+  /// The bodies whose ways are shown: the selected one, else those thrown in, else some of all. said: of how many, where
+  /// there are more.
+  ways_chosen() {
+    if (this.selected !== null) return { ids: [this.selected], said: [] };
     const { bodies } = this.sessions[0];
     const free = [...bodies.json.id.keys()].filter((row) => !bodies.is_static(row));
     const thrown = free.filter((row) => bodies.name(row) === "thrown");
-    const stride = Math.max(1, Math.ceil(free.length / kWaysMax));
-    const chosen = thrown.length > 0 ? thrown : free.filter((_, i) => i % stride === 0);
-    return chosen.slice(0, kWaysMax).map((row) => bodies.id(row));
+    const all = thrown.length > 0 ? thrown : free;
+    const stride = thrown.length > 0 ? 1 : Math.max(1, Math.ceil(free.length / kWaysMax));
+    const ids = all.filter((_, i) => i % stride === 0).slice(0, kWaysMax).map((row) => bodies.id(row));
+    return { ids, said: ids.length < all.length ? [`ways of ${ids.length} of ${all.length} bodies${thrown.length > 0 ? " thrown in" : ""}`] : [] };
   }
+
+  /// What the view leaves out of the ways that it shows.
+  ways_words() { return this.with_ways ? this.ways_said : []; }
 
   async show_ways() {
     if (!this.stage) return;
-    const ids = this.with_ways || this.selected !== null ? this.way_ids() : [];
+    const { ids, said } = this.with_ways || this.selected !== null ? this.ways_chosen() : { ids: [], said: [] };
+    this.ways_said = said;
     const made = await Promise.all(this.sessions.map(async (session) => {
       const points = [];
       for (const id of ids) {

@@ -25,6 +25,7 @@ export function panel(title, { open = true, id = "" } = {}) {
 
 /// The channels of a body and of its pairs, each with a button that draws it in the timeline. plots: as page.plots.
 function channel_table(channels, id, bodies, plots) {
+  const buttons = [];  // each says whether it is pressed; a further plot may take the oldest away
   const rows = channels.map(({ field, value, channel, with: other }) => {
     const name = other === null ? field : `${field} with ${bodies.label(other)}`;
     const plot = cell("", "number");
@@ -34,8 +35,9 @@ function channel_table(channels, id, bodies, plots) {
       made.setAttribute("aria-label", `plot ${name} in the timeline`);
       made.addEventListener("click", () => {
         plots.flip(channel, id, other ?? 0);
-        show();
+        for (const again of buttons) again();
       });
+      buttons.push(show);
       show();
       plot.append(made);
     }
@@ -81,6 +83,10 @@ export function show_body(body, { id, label, name, shape, answers, actions, bodi
   if (first) body.append(element("div", { className: "scroll" }, table));
   if (first?.channels?.length > 0) {
     body.append(channel_table(first.channels, id, bodies, plots));
+    const listed = first.channels.filter(({ with: other }) => other !== null).length;
+    if (first.pairs > listed) {
+      body.append(element("p", { className: "soft", textContent: `${listed} of ${first.pairs} values of pairs are listed; tumble dump has all of them.` }));
+    }
   }
   if (lost) body.append(element("p", { className: "soft", textContent: `${two ? `${answers.indexOf(lost) === 0 ? "A" : "B"}: ` : ""}${lost.why_not}` }));
   if (first?.rounded) body.append(element("p", { className: "soft", textContent: "Rounded in this page; tumble dump prints every bit." }));
@@ -111,7 +117,7 @@ export function show_contacts(body, answer, { selected, bodies, select, go }) {
   const table = element("table", { className: "numbers", ariaLabel: "contacts, the strongest first" }, element("thead", {}, row_of(element("th", { scope: "col", textContent: "bodies" }),
     element("th", { scope: "col", textContent: "impulse", className: "number" }), element("th", { scope: "col", textContent: "depth", className: "number" }))), rows);
   body.append(element("div", { className: "scroll" }, table));
-  if (mine.length > sorted.length) body.append(element("p", { className: "soft", textContent: "The strongest are listed." }));
+  if (mine.length > sorted.length) body.append(element("p", { className: "soft", textContent: `The ${sorted.length} strongest are listed.` }));
   return undefined;
 }
 

@@ -22,7 +22,11 @@ export class Plots {
       const whose = b ? `${bodies.label(a)} and ${bodies.label(b)}` : bodies.label(a);
       const history = { step: [], value: [] };
       this.chosen.set(key, { channel, a, b, history, lane: owner_lane(`${name} of ${whose}`, unit, history) });
-      if (this.chosen.size > kMost) this.chosen.delete(this.chosen.keys().next().value);
+      if (this.chosen.size > kMost) {
+        const [[oldest, { lane }]] = this.chosen;
+        this.chosen.delete(oldest);
+        this.page.tell(`${kMost} channels are plotted at most; gone is ${lane.title}`);
+      }
       this.read(key);
     }
     this.page.set_lanes();

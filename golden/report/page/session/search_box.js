@@ -39,6 +39,7 @@ export function make_search(page) {
     said.value = rows.length === 0 ? "no such body" : `${rows.length} bod${rows.length === 1 ? "y" : "ies"}`;
     list.replaceChildren(...rows.slice(0, kShown).map((row) =>
       element("li", {}, link(bodies.label(bodies.id(row)), () => page.select(bodies.id(row))), bodies.label(bodies.id(row)).includes(bodies.name(row)) ? "" : ` ${bodies.name(row)}`)));
+    if (rows.length > kShown) list.append(element("li", { className: "soft", textContent: `and ${rows.length - kShown} more` }));
     page.set_hits([]);
     return rows;
   };

@@ -1,7 +1,7 @@
 // The page of `tumble view`: one session or two, scrubbed, played, searched and compared.
 import { element, watch_theme } from "../theme.js";
 import { make_player, Steps } from "../viewer/player.js";
-import { Drawing } from "./drawing.js";
+import { Drawing, kLostMax } from "./drawing.js";
 import { make_header } from "./header.js";
 import { listen_keys } from "./keys.js";
 import { bound_lanes, channel_lanes, kLanes, separation_lane } from "./lanes.js";
@@ -189,12 +189,13 @@ export class SessionPage {
       parts.push(`${all} bod${all === 1 ? "y" : "ies"}, ${count[2]} asleep`);
       if (count[3] > 0) {
         const row = frame.mark.indexOf(3);
-        parts.push(`${session.bodies.label(session.bodies.id(row))}${count[3] > 1 ? ` and ${count[3] - 1} more` : ""} lost: no numbers`);
+        parts.push(`${session.bodies.label(session.bodies.id(row))}${count[3] > 1 ? ` and ${count[3] - 1} more` : ""} lost: no numbers${count[3] > kLostMax ? `, ${kLostMax} of them marked` : ""}`);
       }
       if (frame.step !== step) parts.push(`A shows step ${frame.step}`);
     } else if (session.gap_at(step)) {
       parts.push(session.gap_at(step)[2]);
     }
+    parts.push(...this.drawing.ways_words());
     if (this.sessions.length === 2) {
       const first = this.difference?.first?.step;
       const apart = this.separation_at(step);

@@ -21,7 +21,7 @@ export function make_toolbar(page) {
     drawing.show();
   });
   const flip_contacts = () => { drawing.with_contacts = !drawing.with_contacts; drawing.show(); };
-  const flip_ways = () => { drawing.with_ways = !drawing.with_ways; drawing.show_ways(); };
+  const flip_ways = () => { drawing.with_ways = !drawing.with_ways; drawing.show_ways(); page.refresh(); };
   const flip_side = () => { if (two) drawing.set_side_by_side(!drawing.side_by_side); };
   const flip_follow = () => { if (page.selected !== null) { drawing.following = !drawing.following; drawing.show(); } };
   const toggles = [
