@@ -32,7 +32,7 @@ class Log:
     """
 
     def __init__(self, path):
-        self._file = _tumble.LogFile(path_bytes(path, "log"))
+        self._file = _tumble.LogFile(path_bytes(path, "path"))
         self._header = MappingProxyType(self._file.header())
         self._scan = None
         self._bodies = None

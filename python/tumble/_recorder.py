@@ -24,8 +24,8 @@ class Recorder:
     orientation, velocity, spin, static, friction, friction_dynamic, restitution, frozen, texture, name, and shape, as
     `sphere()` makes one; all optional. channels: names of values that the engine logs beside the states, each with its
     unit, or with a dictionary of type ("float64", "float32", "int64", "uint64", "bytes", "text"), scope ("world",
-    "body", "pair") and unit. phases: names of the phases that `step(phases=...)` gives a hash for, each once. precision: the
-    engine's numbers. One thread at a time.
+    "body", "pair") and unit. phases: names of the phases that `step(phases=...)` gives a hash for, each once. precision:
+    the engine's numbers. One thread at a time.
     """
 
     def __init__(self, path, *, engine, version="", bodies=(), dt=1 / 60, gravity=(0, 0, -9.81), ground=True,
@@ -34,7 +34,7 @@ class Recorder:
             raise BadInput(f"precision: found {precision!r}, wanted float64 or float32")
         if isinstance(phases, str):
             raise BadInput(f"phases: found {phases!r}, wanted a list of names")
-        place = path_bytes(path, "log")
+        place = path_bytes(path, "path")
         self._path = os.fsdecode(place)
         self._dt = dt
         about = {

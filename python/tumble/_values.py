@@ -100,6 +100,7 @@ class Scene:
     @classmethod
     def read(cls, path):
         """The scene of a file."""
+        path_bytes(path, "path")
         try:
             with open(path, encoding="utf-8") as file:
                 return cls(file.read(), os.path.splitext(os.path.basename(path))[0])
@@ -138,6 +139,8 @@ def path_bytes(path, name):
         text = os.fsencode(path)
     except TypeError:
         raise BadInput(f"{name}: found {path!r}, wanted a path") from None
+    if not text:
+        raise BadInput(f"{name}: found an empty name, wanted the path of a file")
     if b"\0" in text:
         raise BadInput(f"{name}: found a zero byte in the path {path!r}")
     return text

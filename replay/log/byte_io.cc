@@ -137,6 +137,8 @@ Status rename_file(const std::string& from, const std::string& to) {
 
 namespace {
 
+Error nameless() { return bad_input("found an empty name, wanted the file of a log"); }
+
 /// A new, empty, locked file in the place of a log: whoever reads the old one keeps it. Where the folder takes no new
 /// file, the old one is emptied.
 Result<File> replaced(File old, const std::string& path, mode_t mode) {
@@ -157,6 +159,7 @@ Result<File> replaced(File old, const std::string& path, mode_t mode) {
 }
 
 Result<File> open_log(const std::string& path) {
+  if (path.empty()) return nameless();
   if (Status ok = may_replace(path); !ok.ok()) return ok.error();
   // Replaced once it is locked: until then it may be the log of another process.
   File file(files::open_to_write(path, O_CREAT));
@@ -186,7 +189,7 @@ Result<std::unique_ptr<ByteSink>> open_part_sink(const std::string& part, const 
 }
 
 Result<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
-  if (path.empty()) return bad_input("found an empty name, wanted the file of a log");
+  if (path.empty()) return nameless();
   // A named pipe lets nobody open it to read before somebody writes, however long that takes.
   File file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!file.ok()) return bad_input(path + ": cannot be opened: " + reason());

@@ -210,3 +210,15 @@ def test_ctrl_c_while_the_program_records(tmp_path):
         tumble.record(tumble.Scene("[[box]]\nposition = [0, 0, 2]\n", "x"), path, steps=100_000_000)
     thread.join()
     assert tumble.Log(path).whole and tumble.Log(path).last_step > 0
+
+
+@pytest.mark.parametrize(("argument", "call"), [
+    ("path", lambda: tumble.Recorder("", engine="test")),
+    ("path", lambda: tumble.Recorder(b"", engine="test")),
+    ("path", lambda: tumble.Log("")),
+    ("path", lambda: tumble.Scene.read("")),
+    ("record", lambda: tumble.World.from_scene("brick_wall", record="")),
+])
+def test_a_path_without_a_name_is_named(argument, call):
+    with pytest.raises(tumble.BadInput, match=f"^{argument}: found an empty name, wanted the path of a file$"):
+        call()

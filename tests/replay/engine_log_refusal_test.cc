@@ -112,6 +112,12 @@ TEST(EngineLogRefusal, OfPhasesWithOneName) {
   tumble_log_free(log);
 }
 
+TEST(EngineLogRefusal, OfAPathWithoutAName) {
+  const auto log = EngineLog::create("", {{"toy", "1"}}, sim::SceneDef());
+  ASSERT_FALSE(log.ok());
+  EXPECT_EQ(log.error().message, "found an empty name, wanted the file of a log");
+}
+
 // Pictures, exports and metrics know a body by its id alone.
 TEST(EngineLogRefusal, OfAnotherBodyWithTheIdOfARemovedOne) {
   const auto taken_back = [](const sim::BoxDef& box, const std::string& name = "ball") {
