@@ -145,8 +145,10 @@ bool nothing_judged(const Tallies& relations, const std::string& engine, const s
   return std::ranges::none_of(relations, [&](const auto& row) {
     const auto& [name, tally] = row;
     const bool asked = claimed.empty() || std::ranges::find(claimed, name) != claimed.end();
-    // An engine that fails in every scene breaks `finishes`, and no session of it was judged.
-    const bool told = tally.broken > 0 && (engine.empty() || name != "finishes" || !claimed.empty());
+    // An engine that fails in every scene breaks `finishes`, one that reads none breaks `start` too, and no session of
+    // it was judged.
+    const bool is_failure = name == "finishes" || name == "start";
+    const bool told = tally.broken > 0 && (engine.empty() || !is_failure || !claimed.empty());
     return asked && (tally.held > 0 || told);
   });
 }

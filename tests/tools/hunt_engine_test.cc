@@ -238,10 +238,12 @@ TEST(HuntEngine, SessionsOfOtherBodiesAreNotJudged) {
                                   claims);
     return shop.run({"hunt", "--engine", "--seed", "1", "--count", "12", "--unshrunk", "--json", "--threads", "1"});
   };
-  const Outcome unclaimed = hunt("slope = true\nrepeat = true\n");
-  EXPECT_EQ(unclaimed.exit, 4) << unclaimed.err;
-  EXPECT_NE(unclaimed.err.find("nothing was judged"), std::string::npos) << unclaimed.err;
-  EXPECT_NE(unclaimed.err.find("has other bodies than the scene"), std::string::npos) << unclaimed.err;
+  for (const std::string claims : {"slope = true\nrepeat = true\n", ""}) {
+    const Outcome unclaimed = hunt(claims);
+    EXPECT_EQ(unclaimed.exit, 4) << claims << unclaimed.err;
+    EXPECT_NE(unclaimed.err.find("nothing was judged"), std::string::npos) << unclaimed.err;
+    EXPECT_NE(unclaimed.err.find("has other bodies than the scene"), std::string::npos) << unclaimed.err;
+  }
   const Outcome claimed = hunt("start = true\nfinishes = true\n");
   EXPECT_EQ(claimed.exit, 1) << claimed.err;
   const Json json = Json::parse(claimed.out, nullptr, false);
