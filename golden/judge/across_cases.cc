@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "src/base/text.h"
+
 namespace tumble::golden {
 namespace {
 
@@ -44,10 +46,16 @@ std::vector<std::string> across_cases(const std::vector<CaseResult>& cases) {
   }
   std::ranges::stable_sort(groups, std::ranges::greater(), &Group::cases);
   std::vector<std::string> sentences;
+  std::size_t rest = 0;
   for (const Group& group : groups) {
-    if (sentences.size() == kSentencesMax) break;
-    sentences.push_back(decimal(group.cases) + " of " + decimal(moved) + " first differ in " + group.place);
+    if (sentences.size() == kSentencesMax) {
+      rest += group.cases;
+    } else {
+      sentences.push_back(decimal(group.cases) + " of " + decimal(moved) + " first differ in " + group.place);
+    }
   }
+  if (rest > 0)
+    sentences.back() += "; " + decimal(rest) + " more in " + count_text(groups.size() - kSentencesMax, "further phase");
   return sentences;
 }
 

@@ -126,6 +126,16 @@ TEST(AcrossCases, EachCaseIsCountedInOneSentence) {
   EXPECT_EQ(sentences({4, 30}), Words{"2 of 2 first differ in phase integrate, in steps 4 to 30"});
 }
 
+TEST(AcrossCases, WhatIsBehindTheThirdSentenceIsCounted) {
+  std::vector<CaseResult> cases;
+  for (const char* phase : {"a", "b", "c", "d", "e"}) {
+    for (int k = 0; k < 2; ++k) cases.emplace_back().difference.emplace().phase = phase;
+  }
+  const std::vector<std::string> sentences = across_cases(cases);
+  ASSERT_EQ(sentences.size(), 3U);
+  EXPECT_TRUE(sentences.back().ends_with("phase c; 4 more in 2 further phases")) << sentences.back();
+}
+
 TEST(ReportPage, AValueThatIsNoNumberHasNoMargin) {
   SuiteResult result;
   CaseResult& one = result.cases.emplace_back();

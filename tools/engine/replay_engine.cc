@@ -174,6 +174,10 @@ Result<Exit> replay_engine(replay::LogReader& log, const EngineReplay& options) 
   for (std::size_t i = 0; i < std::min(kWarningsShown, session->warnings.size()); ++i) {
     std::cerr << "tumble replay: warning: " << printable(session->warnings[i]) << '\n';
   }
+  if (session->warnings.size() > kWarningsShown) {
+    std::cerr << "tumble replay: warning: " << session->warnings.size() - kWarningsShown
+              << " more; 'tumble import' of what the engine writes has them all\n";
+  }
   if (!options.output.empty()) {
     if (Status ok = keep(session->log, options.output); !ok.ok()) return ok.error();
   }

@@ -249,6 +249,8 @@ void print_location(const replay::DivergenceLocation& location, const Sides& sid
   for (std::size_t i = 0; i < std::min(kContactsShown, location.contacts.size()); ++i) {
     listing.add(i == 0 ? "  contacts" : "", sides.named(replay::describe(location.contacts[i])));
   }
+  const std::size_t contacts = location.contacts.size();
+  if (contacts > kContactsShown) listing.add("", std::to_string(contacts - kContactsShown) + " more (all with --json)");
   listing.print();
 }
 
