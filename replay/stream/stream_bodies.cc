@@ -103,7 +103,9 @@ void StreamBodies::add(const StreamMesh& mesh) {
   for (const sim::Vec3& point : mesh.points) shape.points.push_back(axes_.length(point));
   shape.triangles = mesh.corners;
   if (const Status ok = check_shape(shape); ok.ok()) {
-    meshes_.try_emplace(mesh.hash, mesh);
+    const StreamMesh& kept = meshes_.try_emplace(mesh.hash, mesh).first->second;
+    if (kept.points == mesh.points && kept.corners == mesh.corners) return;
+    note("two meshes", "mesh " + std::to_string(mesh.hash) + ": found two surfaces of one hash; the first is kept");
   } else {
     note("mesh", "mesh " + std::to_string(mesh.hash) + ": " + ok.error().message + "; it is left out");
   }

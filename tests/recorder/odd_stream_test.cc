@@ -157,6 +157,18 @@ TEST(OddStream, NamesOfBodiesAndSnapshotsThatNoLogHoldsAreSaid) {
   EXPECT_FALSE(mentions(got->import.warnings, "body 7")) << "a name that a log holds";
 }
 
+TEST(OddStream, TwoSurfacesOfOneHashAreSaid) {
+  const Result<Imported> got = import_bytes(record(1, 0, [](TumbleRec* rec) {
+    for (const double high : {1.0, 1.0, 2.0}) {
+      const double corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, high};
+      ASSERT_EQ(tumble_rec_mesh(rec, 77, corners, 4, nullptr, 0), TUMBLE_REC_OK);
+    }
+  }));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->import.warnings,
+            std::vector<std::string>{"mesh 77: found two surfaces of one hash; the first is kept"});
+}
+
 TEST(OddStream, TwoBodiesOfOneNameAndLeapsOfABodyWithANameAreSaid) {
   const auto named = [&](TumbleRec* rec) {
     TumbleRecBody one = small_cube(5), other = small_cube(7);
