@@ -92,6 +92,11 @@ TEST(KeptApart, AStreamThatARefusedCallEndedSaysWhy) {
   EXPECT_NE(info.out.find("the session may have gone on: the recorder gave up after step 6: " + reason),
             std::string::npos)
       << info.out;
+  shop.write("tumble.toml", "[engine]\nrun = \"cp left.tumblestream {log}\"\n");
+  const Outcome again = shop.run({"replay", "left.tumble"});
+  EXPECT_NE(again.out.find("the engine did not end well: the recorder gave up after step 6: " + reason),
+            std::string::npos)
+      << again.out << again.err;
   import_stream(shop, "whole", {});
   const json whole = json::parse(shop.run({"import", "whole.tumblestream", "-o", "again.tumble", "--json"}).out);
   EXPECT_TRUE(whole["refusal"].is_null());
