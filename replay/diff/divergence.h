@@ -47,6 +47,8 @@ void count_in_binary32(Divergence& divergence);
 /// The distance of the two values with its unit: "3e-12 m/s"; "infinite" where one is no finite number. Empty where
 /// they are no numbers of a state, a contact or a channel (whose unit is in the note).
 std::string magnitude(const Divergence& divergence);
+/// ", 0.00155 m apart", ", infinitely far apart", ", one is not a number" for the end of a sentence; empty likewise.
+std::string apart_words(const Divergence& divergence);
 
 /// Whether the difference is one of a body's visible state.
 bool is_in_state(const Divergence& divergence);

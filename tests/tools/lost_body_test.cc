@@ -87,8 +87,9 @@ TEST(LostBody, ALostBodyIsNamedByItsAxesInEveryCommand) {
     const Outcome compared = shop.run({"diff", "whole.tumble", log, "--json"});
     EXPECT_EQ(compared.exit, 1);
     EXPECT_EQ(parsed(compared)["aftermath"]["lost"]["field"], wanted.substr(0, 10));
-    EXPECT_TRUE(says(shop.run({"diff", "whole.tumble", log}).out, wanted.substr(0, 10) + " is no finite number"));
     const Outcome text = shop.run({"diff", "whole.tumble", log});
+    EXPECT_TRUE(says(text.out, wanted.substr(0, 10) + " is no finite number")) << text.out;
+    EXPECT_TRUE(says(text.out, ", one is not a number\n") || says(text.out, ", infinitely far apart\n")) << text.out;
     EXPECT_TRUE(says(text.out, "where a body is lost: lateral_max, lateral_rms, ")) << text.out;
     EXPECT_FALSE(says(text.out, " nan")) << "a count of lost bodies that is none\n" << text.out;
     EXPECT_TRUE(says(shop.run({"diff", log, log}).out, words)) << "a note on each log";

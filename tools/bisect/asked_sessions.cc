@@ -16,8 +16,7 @@ std::string place_of(const replay::Divergence& first) {
   std::string text = "step " + std::to_string(first.step) + ", phase " + first.phase;
   if (first.body) text += ", body " + std::to_string(*first.body);
   text += ", " + (is_body_missing(first) ? only_in(first, "one", "the other") : first.field);
-  const std::string size = replay::magnitude(first);
-  return size.empty() ? text : text + ", " + size + " apart";
+  return text + replay::apart_words(first);
 }
 
 /// Empty where they are the same, or one cannot be read.

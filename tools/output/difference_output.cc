@@ -130,12 +130,11 @@ void print_headlines(const replay::DifferenceReport& report, const Sides& sides)
   if (!report.cause.empty()) listing.add("cause", sides.named(printable(report.cause)));
   if (report.effect) {
     const replay::Divergence& effect = *report.effect;
-    const std::string size = replay::magnitude(effect);
     listing.add("effect",
                 "step " + std::to_string(effect.step) + ", phase " + effect.phase +
                     (effect.body ? ", " + sides.body(*effect.body) : "") + ", " +
                     (replay::is_body_missing(effect) ? only_in(effect, sides.expected, sides.actual) : effect.field) +
-                    (size.empty() ? "" : ", " + size + " apart") + (effect.note.empty() ? "" : "; " + effect.note));
+                    replay::apart_words(effect) + (effect.note.empty() ? "" : "; " + effect.note));
   } else if (!report.first.field.empty() && report.first.field != "error") {
     listing.add("effect", "in no state");
   }
