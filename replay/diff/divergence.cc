@@ -14,8 +14,8 @@
 namespace tumble::replay {
 namespace {
 
-constexpr const char* kNotANumber = "not a number";
-constexpr const char* kInfinite = "infinite";
+constexpr const char* kNoNumberWords = "not a number";
+constexpr const char* kInfiniteWords = "infinite";
 constexpr const char* kBodyField = "body";  // of a difference: one of the two has no such body
 
 /// Causes before effects: a step with another dt or other inputs differs in everything after, so these come first.
@@ -172,14 +172,14 @@ std::string magnitude(const Divergence& divergence) {
   const bool of_extra = divergence.field.starts_with("contact.") || divergence.field.starts_with("channel.");
   if (a == nullptr || b == nullptr || !(is_in_state(divergence) || of_extra)) return "";
   const double apart = std::fabs(*a - *b);
-  if (!std::isfinite(apart)) return std::isnan(*a) || std::isnan(*b) ? kNotANumber : kInfinite;
+  if (!std::isfinite(apart)) return std::isnan(*a) || std::isnan(*b) ? kNoNumberWords : kInfiniteWords;
   return rounded(apart, unit_of(divergence.field));
 }
 
 std::string apart_words(const Divergence& divergence) {
   const std::string size = magnitude(divergence);
-  if (size == kNotANumber) return ", one is not a number";
-  return size.empty() ? "" : ", " + (size == kInfinite ? "infinitely far" : size) + " apart";
+  if (size == kNoNumberWords) return ", one is not a number";
+  return size.empty() ? "" : ", " + (size == kInfiniteWords ? "infinitely far" : size) + " apart";
 }
 
 std::string describe(const Divergence& d) {
