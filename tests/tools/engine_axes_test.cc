@@ -49,7 +49,8 @@ TEST(EngineAxes, BodiesOfOneLineOfTheHeaderAreNamedByTheSameAxes) {
     std::string table =
         "# up: y\n# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
         "orientation.y,orientation.z\n";
-    for (const std::string row : {"0,1,0,", "0,2,3,", "1,1,0,", "1,2,3,"}) table.append(row + "7," + z + ",1,0,0,0\n");
+    for (const std::string row : {"0,1,0,", "0,2,3,", "1,1,0,", "1,2,3,"})
+      table.append(row).append("7,").append(z).append(",1,0,0,0\n");
     shop.write("at" + z + ".csv", table);
     ASSERT_EQ(shop.run({"import", "at" + z + ".csv"}).exit, 0);
   }
@@ -189,7 +190,8 @@ TEST(EngineAxes, ACaseIsJudgedInThem) {
   EXPECT_EQ(moved.exit, 1);
   EXPECT_TRUE(says(moved.out, "channels and contacts that differ in step 1: contacts")) << moved.out;
   const std::string annotation = moved.out.substr(std::min(moved.out.find("::error"), moved.out.size()));
-  EXPECT_TRUE(says(annotation, "; first difference: step 1, substep 0, phase move; at step 1, 1 of 1 body differs")) << annotation;
+  EXPECT_TRUE(says(annotation, "; first difference: step 1, substep 0, phase move; at step 1, 1 of 1 body differs"))
+      << annotation;
   EXPECT_FALSE(says(annotation, "largest distance")) << "the summary has it: " << annotation;
   EXPECT_FALSE(says(shop.read("r/index.html"), "> · 1 body")) << "a case without a title";
   EXPECT_TRUE(says(moved.out, "position.y") || says(moved.out, "velocity.y")) << moved.out;
