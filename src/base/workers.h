@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace tumble {
 
@@ -79,6 +80,11 @@ template <class Number>
 void set_bits(Number& number, Number bits) {
   if ((read(number) & bits) != bits) std::atomic_ref(number).fetch_or(bits, std::memory_order_relaxed);
 }
+/// Adds to a sum to which others add at the same time, and returns what it was. Sums of doubles must be exact.
+template <class Number>
+Number add(Number& sum, Number x) {
+  return std::atomic_ref(sum).fetch_add(x, std::memory_order_relaxed);
+}
 /// Lowers a minimum that others lower at the same time.
 template <class Number>
 void lower(Number& least, Number x) {
@@ -102,6 +108,13 @@ void raise(Number& most, Number x) {
 inline void mark(std::uint8_t& byte) {
   if (shared::read(byte) == 0) shared::write(byte, std::uint8_t{1});
 }
+
+/// A list that one worker fills while others fill theirs: where it ends stands in cache lines of its own, so that no
+/// line travels between processors with each item.
+template <class Item>
+struct alignas(128) OwnList : std::vector<Item> {
+  using std::vector<Item>::vector;
+};
 
 /// One of the workers that do a task together and meet on the way.
 struct Worker {
@@ -140,7 +153,7 @@ struct Worker {
   /// Adds to a sum to which others add at the same time, and returns what it was. Sums of doubles must be exact.
   template <class Number>
   Number add(Number& sum, Number x) const {
-    if (parts > 1) return std::atomic_ref(sum).fetch_add(x, std::memory_order_relaxed);
+    if (parts > 1) return shared::add(sum, x);
     const Number before = sum;
     sum = before + x;
     return before;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "src/base/check.h"
-#include "src/base/key_counts.h"
 #include "src/collide/sweep.h"
+#include "src/sharing/key_counts.h"
 
 namespace tumble::sim {
 namespace {
@@ -28,20 +29,21 @@ struct Spread {
 // nothing but time.
 std::array<Spread, 3> find_spreads(Scratch& scratch) {
   const std::size_t n = scratch.frames.size();
-  const unsigned parts = part_count(scratch.workers, n, kBodiesAPart);
+  const unsigned parts = scratch.homes.parts_for(scratch.workers, n, kBodiesAPart);
   std::vector<SweepScratch::Extents>& found = scratch.sweep.extents;
   found.resize(std::size_t{parts} * 3);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
-    const Worker::Share share = worker.share(n);
     for (int axis = 0; axis < 3; ++axis) {
       const std::vector<double>& low = column_of(scratch.aabb_low, axis);
       const std::vector<double>& high = column_of(scratch.aabb_high, axis);
-      SweepScratch::Extents of = {low[share.begin], high[share.begin], 0};
-      for (std::size_t i = share.begin; i < share.end; ++i) {
-        of.lowest = std::min(of.lowest, low[i]);
-        of.highest = std::max(of.highest, high[i]);
-        of.sum += high[i] - low[i];
-      }
+      SweepScratch::Extents of = {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest(), 0};
+      scratch.homes.for_own(worker, n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          of.lowest = std::min(of.lowest, low[i]);
+          of.highest = std::max(of.highest, high[i]);
+          of.sum += high[i] - low[i];
+        }
+      });
       found[worker.part * 3 + static_cast<unsigned>(axis)] = of;
     }
   });
@@ -80,13 +82,15 @@ struct Strips {
 };
 
 // The number of entries: one for each strip that each box reaches.
-std::size_t entries_in(const Strips& strips, const std::vector<double>& low, const std::vector<double>& high,
-                       Workers* workers) {
+std::size_t entries_in(const Scratch& scratch, const Strips& strips, const std::vector<double>& low,
+                       const std::vector<double>& high) {
   std::size_t entries = 0;
-  work_together(workers, part_count(workers, low.size(), kBodiesAPart), [&](const Worker& worker) {
-    const Worker::Share share = worker.share(low.size());
+  const unsigned parts = scratch.homes.parts_for(scratch.workers, low.size(), kBodiesAPart);
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
     std::size_t here = 0;
-    for (std::size_t i = share.begin; i < share.end; ++i) here += strips.of(high[i]) - strips.of(low[i]) + 1;
+    scratch.homes.for_own(worker, low.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) here += strips.of(high[i]) - strips.of(low[i]) + 1;
+    });
     worker.add(entries, here);
   });
   return entries;
@@ -105,18 +109,22 @@ Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
   const std::vector<double>& high = column_of(scratch.aabb_high, spread.axis);
   if (n < kFewBodies) return one_strip(spread);
   double width = std::max(kStripWidth * spread.extent, spread.range / most);
-  while (entries_in(strips_of_width(spread, width), low, high, scratch.workers) > 2 * n) width *= 2;
+  while (entries_in(scratch, strips_of_width(spread, width), low, high) > 2 * n) width *= 2;
   return strips_of_width(spread, width);
 }
 
 // Sorts the bodies by their low ends along the first axis, to within a bin: enough for a sweep, in linear time.
-void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const Strips& bins, const Worker& worker) {
-  const Worker::Share share = worker.share(low.size());
+void sort_into_bins(Scratch& scratch, const std::vector<double>& low, const Strips& bins, const Worker& worker) {
+  SweepScratch& sweep = scratch.sweep;
   if (worker.first()) sweep.order.resize(low.size());
   KeyCounts counts(sweep.next, bins.count, worker);
-  for (std::size_t i = share.begin; i < share.end; ++i) counts.add(bins.of(low[i]));
+  scratch.homes.for_own(worker, low.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) counts.add(bins.of(low[i]));
+  });
   counts.find_places();
-  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) sweep.order[counts.take(bins.of(low[i]))] = i;
+  scratch.homes.for_own(worker, low.size(), [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) sweep.order[counts.take(bins.of(low[i]))] = i;
+  });
   worker.meet();
 }
 
@@ -202,20 +210,22 @@ void sweep_cells(SweepScratch& sweep, const Cells& cells, double bin, const Work
 }
 
 // When the pairs of each body are sorted.
-void write_pairs(const SweepScratch& sweep, PairTable& pairs, const Worker& worker, std::size_t bodies) {
+void write_pairs(const Scratch& scratch, PairTable& pairs, const Worker& worker, std::size_t bodies) {
+  const SweepScratch& sweep = scratch.sweep;
   if (worker.first()) {
     pairs.a.resize(sweep.partner.size());
     pairs.b.resize(sweep.partner.size());
     pairs.planes.assign(sweep.partner.size(), 0);
   }
   worker.meet();
-  const Worker::Share share = worker.share(bodies);
-  for (auto a = static_cast<BodyIndex>(share.begin); a < share.end; ++a) {
-    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
-      pairs.a[k] = a;
-      pairs.b[k] = sweep.partner[k];
+  scratch.homes.for_own(worker, bodies, [&](std::size_t begin, std::size_t end) {
+    for (auto a = static_cast<BodyIndex>(begin); a < end; ++a) {
+      for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
+        pairs.a[k] = a;
+        pairs.b[k] = sweep.partner[k];
+      }
     }
-  }
+  });
 }
 
 }  // namespace
@@ -239,15 +249,15 @@ void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs) {
   const double crowd = bodies / (std::max(1.0, first.extents()) * cells.second.count);
   if (crowd > kCrowd) cells.third = lay_strips(scratch, axes[2], 2 * bodies / cells.second.count);
   sweep.boxes.resize(n);
-  const unsigned parts = part_count(scratch.workers, n, kBodiesAPart);
+  const unsigned parts = scratch.homes.parts_for(scratch.workers, n, kBodiesAPart);
   if (sweep.found_by.size() < parts) sweep.found_by.resize(parts);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
-    sort_into_bins(sweep, column_of(scratch.aabb_low, first.axis), bins, worker);
+    sort_into_bins(scratch, column_of(scratch.aabb_low, first.axis), bins, worker);
     gather_boxes(scratch, first.axis, axes[1].axis, axes[2].axis, worker.share(n));
     fill_cells(sweep, cells, worker);
     sweep_cells(sweep, cells, kBinReach * bins.width, worker);
-    sort_pairs(sweep, n, worker);
-    write_pairs(sweep, pairs, worker, n);
+    sort_pairs(scratch, n, worker);
+    write_pairs(scratch, pairs, worker, n);
   });
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "src/base/check.h"
-#include "src/base/key_counts.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
+#include "src/sharing/key_counts.h"
 #include "src/world/body_columns.h"
 #include "src/world/hash_on_the_way.h"
 
@@ -128,7 +128,7 @@ void find_neighbours(Scratch& scratch) {
   gather(sweep);
   sweep.found_by.resize(1);
   sweep_pairs(sweep, sweep.found_by[0]);
-  sort_pairs(sweep, scratch.frames.size(), {});
+  sort_pairs(scratch, scratch.frames.size(), {});
   sweep.neighbours.clear();
   for (BodyIndex a = 0; a < sweep.fat_low.size(); ++a) {
     for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k)
@@ -161,7 +161,8 @@ Status check_crowd(const Scratch& scratch) {
                        " bodies near one another; so many stand inside one another: set them farther apart");
 }
 
-void sort_pairs(SweepScratch& sweep, std::size_t bodies, const Worker& worker) {
+void sort_pairs(Scratch& scratch, std::size_t bodies, const Worker& worker) {
+  SweepScratch& sweep = scratch.sweep;
   const FoundPairs& found = sweep.found_by[worker.part];
   if (worker.first()) sweep.start.resize(bodies + 1);
   KeyCounts counts(sweep.next, bodies, worker);
@@ -174,10 +175,11 @@ void sort_pairs(SweepScratch& sweep, std::size_t bodies, const Worker& worker) {
   worker.meet();
   for (const auto& [a, b] : found) sweep.partner[counts.take(a)] = b;
   worker.meet();
-  const Worker::Share share = worker.share(bodies);
-  for (std::size_t a = share.begin; a < share.end; ++a) {
-    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
-  }
+  scratch.homes.for_own(worker, bodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = begin; a < end; ++a) {
+      std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
+    }
+  });
   worker.meet();
 }
 
@@ -200,7 +202,7 @@ void update_frames(Bodies& bodies, Scratch& scratch, Hasher* hasher) {
   const auto update = [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).bodies.put_boxes(columns, {begin, end}, boxes);
   };
-  for_hashed_ranges(hasher, scratch.workers, n, kBodiesAPart, kBodiesABlock, update,
+  for_hashed_bodies(hasher, scratch, n, kBodiesABlock, update,
                     [&](std::size_t begin, std::size_t end) { hasher->add(doubles_of(scratch.frames, begin, end)); });
 }
 

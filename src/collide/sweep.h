@@ -27,7 +27,7 @@ Status check_crowd(const Scratch& scratch);
 /// What each of several workers does, who has found sweep.found_by: sorts the pairs of all by (a, b), by a counting
 /// sort for a, then a direct sort of the few b of each a. When the workers have met, the partners of a are
 /// sweep.partner[k] for sweep.start[a] <= k < sweep.start[a + 1].
-void sort_pairs(SweepScratch& sweep, std::size_t bodies, const Worker& worker);
+void sort_pairs(Scratch& scratch, std::size_t bodies, const Worker& worker);
 
 /// The column of an axis (0, 1, 2).
 inline const std::vector<double>& column_of(const Vec3Column& columns, int axis) {

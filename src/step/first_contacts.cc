@@ -96,14 +96,18 @@ void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
   (void)find_manifolds(awake, scratch, kDtMin);
   const auto is_wanted = [&](BodyIndex i) { return i != kGround && wanted[i] != 0; };
   const auto rests = [&](BodyIndex i) { return i == kGround || !bodies.moves(i); };
-  std::erase_if(scratch.manifolds, [&](const Manifold& m) {
+  ManifoldList kept;
+  for (const Manifold& m : scratch.manifolds) {
     const auto points = points_of(std::as_const(scratch), m);
     const bool close = std::any_of(points.begin(), points.end(),
                                    [](const ManifoldPoint& point) { return point.separation < kFirstTouch; });
-    return !close || !((is_wanted(m.a) && rests(m.b)) || (is_wanted(m.b) && rests(m.a)));
-  });
+    if (!close || !((is_wanted(m.a) && rests(m.b)) || (is_wanted(m.b) && rests(m.a)))) continue;
+    kept.manifolds.push_back(m);
+    kept.manifolds.back().first = static_cast<std::uint32_t>(kept.points.size());
+    kept.points.insert(kept.points.end(), points.begin(), points.end());
+  }
   ContactMemory found;
-  remember_contacts(scratch.manifolds, scratch.manifold_points, nullptr, found);
+  remember_contacts(kept.manifolds, kept.points, nullptr, {}, nullptr, found);
   merge_contacts(state.contact_memory, found);
 }
 

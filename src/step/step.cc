@@ -32,6 +32,7 @@
 #include "src/thesis/integrate.h"
 #include "src/thesis/recheck_planes.h"
 #include "src/thesis/update_freezing.h"
+#include "src/world/for_bodies.h"
 #include "src/world/free_flight.h"
 #include "src/world/scratch.h"
 
@@ -98,15 +99,15 @@ bool nothing_moves(const Bodies& bodies) {
   return true;
 }
 
-// Method layered: the number of points of the manifolds that were solved.
+// Method layered: the number of points of the manifolds that were solved; those of fast pairs come last.
 std::uint32_t solved_points(const Scratch& scratch) {
+  const auto& links = scratch.graph.links;
   std::uint32_t count = 0;
-  const std::size_t n = scratch.layered.size();
-  work_together(scratch.workers, part_count(scratch.workers, n, kManifoldsAPart), [&](const Worker& worker) {
-    const Worker::Share share = worker.share(n);
+  for (std::size_t k = links.size(); k < scratch.manifolds.size(); ++k) count += scratch.manifolds[k].count;
+  for_manifolds(scratch, links.size(), [&](std::size_t begin, std::size_t end) {
     std::uint32_t here = 0;
-    for (std::size_t k = share.begin; k < share.end; ++k) here += scratch.manifolds[scratch.layered[k]].count;
-    worker.add(count, here);
+    for (std::size_t k = begin; k < end; ++k) here += links[k].awake ? links[k].count : 0U;
+    shared::add(count, here);
   });
   return count;
 }
@@ -116,13 +117,12 @@ Energy energy_at_end(const WorldState& state, Scratch& scratch) {
   const std::size_t n = state.bodies.size();
   if (part_count(scratch.workers, n, kBodiesAPart) == 1) return total_energy(state);
   scratch.energies.resize(n);
-  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, n, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) scratch.energies[i] = energy_of(state, i);
   });
   Energy energy;
   for (const Energy& of : scratch.energies) {
-    energy.kinetic += of.kinetic;
-    energy.potential += of.potential;
+    energy = {energy.kinetic + of.kinetic, energy.potential + of.potential};
   }
   return energy;
 }

@@ -33,7 +33,7 @@ class WorkerThreads : public Workers {
  private:
   // Where a worker has arrived: the number of its last meeting, and what it said at that one and the one before. A line
   // of its own, which only this worker writes.
-  struct alignas(64) Place {
+  struct alignas(128) Place {
     std::atomic<std::uint32_t> at = 0;
   };
 

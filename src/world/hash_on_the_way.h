@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "src/world/for_bodies.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/workers.h"
@@ -32,6 +33,14 @@ void for_hashed_ranges(Hasher* hasher, Workers* workers, std::size_t n, std::siz
     visit(begin, end);
     hash(begin, end);
   }
+}
+
+/// As for_bodies; with a hasher likewise.
+template <class Visit, class Hash>
+void for_hashed_bodies(Hasher* hasher, const Scratch& scratch, std::size_t n, std::size_t block, Visit visit,
+                       Hash hash) {
+  if (hasher == nullptr) return for_bodies(scratch, n, visit);
+  for_hashed_ranges(hasher, nullptr, n, kBodiesAPart, block, visit, hash);
 }
 
 /// Numbers that lie apart, gathered for a hasher. They reach it at the latest when the object ends, and before that in

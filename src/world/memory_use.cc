@@ -47,9 +47,12 @@ std::size_t held(const ContactBatches& b) {
                         b.touched_end, b.counts, b.entries);
 }
 std::size_t held(const FastContacts& f) {
-  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits);
+  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits,
+                 f.unmet);
 }
-std::size_t held(const WaveScratch& w) { return held_by(w.pushed[0], w.pushed[1], w.taken, w.start); }
+std::size_t held(const WaveScratch& w) {
+  return held_by(w.pushed[0], w.pushed[1], w.sent[0], w.sent[1], w.taken, w.start);
+}
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
 
 template <class T>
@@ -80,9 +83,10 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   const IslandScratch& i = s.islands;
   const WeightScratch& w = s.weights;
   const SweepShares& shares = s.shares;
-  parts.push_back(
-      {"manifolds", GrowsWith::kContacts,
-       held_by(s.manifolds, s.manifold_points, s.manifold_pieces, s.blocks_left) + held_inside(s.manifolds_by)});
+  parts.push_back({"manifolds", GrowsWith::kContacts,
+                   held_by(s.manifolds, s.manifold_points, s.manifold_pieces, s.blocks_left, s.pieces_start,
+                           s.pieces_by, s.manifold_ranges) +
+                       s.manifold_homes.held() + held_inside(s.manifolds_by)});
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});
@@ -94,14 +98,14 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
                            s.visits.reach_of_body, s.visits.reach, s.energies, shares.users, shares.copies_before) +
                        held_inside(s.visits.layers)});
-  parts.push_back(
-      {"levels, islands and sleep", GrowsWith::kBodies,
-       held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked, i.layers,
-               i.reach2, i.heaviest, s.graph.start, w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y,
-               w.blows, w.first_blow, w.struck, w.stands, w.held, w.settled, w.offered, s.island_links,
-               s.waking.disturbed, s.waking.woken, s.waking.wakes, s.sleeping.touching, s.sleeping.restless,
-               s.sleeping.held, s.sleeping.together, s.sleeping.energy_before) +
-           held_inside(s.waves)});
+  parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
+                   held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked,
+                           i.layers, i.reach2, i.heaviest, s.graph.start, w.start, w.waiting_for, w.meeting, w.borne,
+                           w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck, w.stands, w.held, w.settled,
+                           w.offered, s.island_links, s.waking.disturbed, s.waking.woken, s.waking.wakes,
+                           s.sleeping.touching, s.sleeping.restless, s.sleeping.held, s.sleeping.together,
+                           s.sleeping.energy_before, s.graph.alone, s.shares.home, s.ends_before) +
+                       held_inside(s.waves) + held_inside(s.sent_ends) + s.homes.held()});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

@@ -8,6 +8,7 @@
 
 #include "src/base/large_vector.h"
 #include "src/kernels/contacts/contact_batch.h"
+#include "src/sharing/homes.h"
 #include "tumble/sim/ids.h"
 #include "tumble/sim/manifold.h"
 #include "tumble/sim/vec.h"
@@ -25,8 +26,8 @@ struct VelocityRange {
 /// A pair of bodies (lower row, higher row), or a body and kGround.
 using ContactPair = std::pair<BodyIndex, BodyIndex>;
 
-/// Manifolds and their points, as one worker finds them.
-struct ManifoldList {
+/// Manifolds and their points, as one worker finds them; in cache lines of its own, as OwnList.
+struct alignas(128) ManifoldList {
   LargeVector<Manifold> manifolds;
   LargeVector<ManifoldPoint> points;
   std::vector<ContactPair> fast_pairs;  ///< ascending; see FastContacts
@@ -49,7 +50,8 @@ struct ManifoldPiece {
   struct Sizes {
     std::size_t manifolds = 0, points = 0, fast_pairs = 0;
   };
-  MemoryPlace memory;  ///< where the impulses of its bodies begin
+  std::uint32_t first = 0, last = 0;  ///< bodies, the last one not among them
+  MemoryPlace memory;                 ///< where the impulses of these begin
   unsigned worker = 0;
   Sizes begin, end;  ///< of the list, before and after
 };
@@ -153,6 +155,7 @@ struct WakeScratch {
 /// Bodies in waves, as one worker pushes and treats them (waves.h).
 struct alignas(64) WaveScratch {
   std::vector<BodyIndex> pushed[2];  ///< to waves of even and of odd numbers
+  std::vector<BodyIndex> sent[2];    ///< likewise, of bodies at home with other workers
   std::vector<BodyIndex> taken;      ///< those that it treats, wave by wave
   std::vector<std::uint32_t> start;  ///< by wave, in `taken`; one more at the end
 };
@@ -191,12 +194,12 @@ struct WeightScratch {
     std::uint32_t next = 0;  ///< in `blows`, of the same body; kNoBlow after the last
   };
   static constexpr std::uint32_t kNoBlow = 0xffffffffU;
-  std::vector<Support> supports;                  ///< by upper body
-  std::vector<std::uint32_t> start;               ///< by body, in `supports`
-  std::vector<std::vector<SupportPoint>> points;  ///< by worker: under one body at a time
-  std::vector<std::uint32_t> waiting_for;         ///< by body: supports above that have not passed on their weight
-  std::vector<std::uint8_t> meets;                ///< by manifold: one of its points approaches fast
-  std::vector<std::uint32_t> meeting;             ///< by worker: number of such manifolds
+  std::vector<Support> supports;              ///< by upper body
+  std::vector<std::uint32_t> start;           ///< by body, in `supports`
+  std::vector<OwnList<SupportPoint>> points;  ///< by worker: under one body at a time
+  std::vector<std::uint32_t> waiting_for;     ///< by body: supports above that have not passed on their weight
+  std::vector<std::uint8_t> meets;            ///< by manifold: one of its points approaches fast
+  std::vector<std::uint32_t> meeting;         ///< by worker: number of such manifolds
   std::vector<Blow> blows;
   std::vector<std::uint32_t> first_blow;  ///< by body, in `blows`
   std::vector<std::uint8_t> struck;       ///< by body: hit from below or from the side
@@ -242,7 +245,12 @@ struct SweepShares {
   std::vector<BodyOutcomes> touched;         ///< piece by piece: bodies of the layer that the worker uses
   std::vector<std::uint32_t> touched_first;  ///< by piece, in `touched`; one more at the end
   std::vector<std::uint32_t> counts;         ///< by worker, copies before its range of bodies
-  std::vector<std::vector<std::pair<double, std::uint32_t>>> places;  ///< by worker: where the batches of a layer are
+  int axis = 0;                              ///< across which the layers are cut
+  unsigned settled_parts = 0;                ///< workers and bodies for which `home` was written
+  std::size_t settled_bodies = 0;
+  std::vector<std::uint8_t> home;  ///< by body: the worker who treats it in all phases; kept from step to step
+  std::vector<double> cuts;        ///< m, twice the places between the workers' shares of the largest layer
+  std::vector<OwnList<std::pair<double, std::uint32_t>>> places;  ///< by worker: where the batches of a layer are
 
   [[nodiscard]] std::span<const std::uint32_t> batches_of(std::size_t layer, unsigned worker) const {
     return piece(order, first, layer * parts + worker);

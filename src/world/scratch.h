@@ -1,15 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "src/base/large_vector.h"
-#include "src/base/shared_blocks.h"
 #include "src/kernels/box_frame.h"
 #include "src/kernels/contacts/contact_batch.h"
 #include "src/kernels/lane_width.h"
+#include "src/sharing/homes.h"
+#include "src/sharing/shared_blocks.h"
 #include "src/world/phase_scratch.h"
 #include "tumble/sim/ids.h"
 #include "tumble/sim/manifold.h"
@@ -48,14 +50,14 @@ struct SweepScratch {
   struct Box {
     double low1, high1, low2, high2, low3, high3;
   };
-  int axis = 0;                      ///< axis of the sweep
-  int age = 0;                       ///< sweeps since the axis was chosen
-  std::vector<BodyIndex> order;      ///< bodies by the low end of their boxes along the axis
-  std::vector<BodyIndex> judged;     ///< the order along an axis that might be better
-  std::vector<Box> boxes;            ///< extents of the boxes, in that order
-  Vec3Column fat_low, fat_high;      ///< fat AABBs
-  FoundPairs neighbours;             ///< pairs whose fat AABBs overlap, ascending
-  std::vector<FoundPairs> found_by;  ///< by worker
+  int axis = 0;                                           ///< axis of the sweep
+  int age = 0;                                            ///< sweeps since the axis was chosen
+  std::vector<BodyIndex> order;                           ///< bodies by the low end of their boxes along the axis
+  std::vector<BodyIndex> judged;                          ///< the order along an axis that might be better
+  std::vector<Box> boxes;                                 ///< extents of the boxes, in that order
+  Vec3Column fat_low, fat_high;                           ///< fat AABBs
+  FoundPairs neighbours;                                  ///< pairs whose fat AABBs overlap, ascending
+  std::vector<OwnList<FoundPairs::value_type>> found_by;  ///< by worker
   struct Extents {
     double lowest = 0, highest = 0, sum = 0;  ///< m; of ends, and of the extents of boxes
   };
@@ -118,6 +120,8 @@ struct ContactGraph {
   std::vector<Link> links;           ///< by manifold
   std::vector<std::uint32_t> start;  ///< by body, in `ends`
   std::vector<std::uint32_t> ends;   ///< body by body, ascending: 2 · manifold + (1 where the body is b)
+  std::vector<std::uint8_t> alone;   ///< by body: one worker has it and all that it touches; written by assign_levels
+  unsigned alone_among = 0;          ///< so many workers, or 0: they have no homes
 };
 
 /// Values of in_contact. kFree: a body that does not move, or that flies; kInContact: one that the solver moves;
@@ -162,6 +166,7 @@ struct FastContacts {
   std::vector<std::uint32_t> members;  ///< of the layer
   std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
   std::vector<std::uint8_t> waits;     ///< as `bodies`: those that bounce now
+  std::vector<std::uint8_t> unmet;     ///< as `found.manifolds`: of bodies that wait and do not touch
 
   [[nodiscard]] bool none() const { return pairs.empty(); }
 };
@@ -221,9 +226,14 @@ struct Scratch {
   std::vector<ManifoldList> manifolds_by;        ///< by worker, one or more
   std::vector<ManifoldPiece> manifold_pieces;    ///< in order of bodies, while several workers find manifolds
   std::vector<SharedBlocks::Range> blocks_left;  ///< of these pieces
+  std::vector<std::uint32_t> pieces_start;       ///< by worker, in the next; one more at the end
+  std::vector<std::uint32_t> pieces_by;          ///< these pieces, worker by worker
+  std::vector<Homes::Range> manifold_ranges;     ///< who has found them, piece by piece
   FastContacts fast;
-  bool found_again = false;                ///< whether wake_islands found the manifolds again
-  ContactGraph graph;                      ///< written by assign_levels
+  bool found_again = false;  ///< whether wake_islands found the manifolds again
+  ContactGraph graph;        ///< written by assign_levels
+  std::vector<OwnList<std::pair<BodyIndex, std::uint32_t>>> sent_ends;  ///< memory of connect_contacts, by worker
+  std::vector<std::uint32_t> ends_before;                               ///< likewise, by range of bodies
   std::vector<std::uint32_t> level;        ///< by body: contacts away from rest; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< awake manifolds, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< by layer, in `layered`
@@ -241,7 +251,7 @@ struct Scratch {
   std::vector<BodyIndex> island_links;  ///< memory of Islands, of one phase at a time
   WakeScratch waking;
   IslandScratch islands;
-  std::vector<std::uint32_t> next_in_layer;  ///< by worker and layer, while assign_levels sorts manifolds by layer
+  std::vector<std::uint32_t> next_in_layer;  ///< by slot and layer, while assign_levels sorts manifolds by layer
   WeightScratch weights;
   SleepScratch sleeping;
 
@@ -252,6 +262,8 @@ struct Scratch {
   // The means of the caller, and who looks on. They change nothing but time.
   LaneWidth lanes = LaneWidth::kWidest;
   Workers* workers = nullptr;          ///< not owned
+  Homes homes;                         ///< of bodies, among the workers; written by prepare_manifolds
+  Homes manifold_homes;                ///< of manifolds: who has found them; written by find_manifolds
   LayerObserver* layers = nullptr;     ///< not owned; null: nobody looks
   Hasher* hasher = nullptr;            ///< of the observer, while a phase may feed it (hash_on_the_way.h)
   const Hasher* fed_hasher = nullptr;  ///< that the last phase has fed

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "src/thesis/apply_outcomes.h"
-#include "src/world/lift_cost.h"
+#include "src/math/lift_cost.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 

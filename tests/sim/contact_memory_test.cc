@@ -1,12 +1,15 @@
-// Contacts of fast pairs are merged into the remembered ones in place: all are there once, in order, each with its own.
+// Contacts of fast pairs are merged into the remembered ones, in place or while these are written: all are there once,
+// in order, each with its own.
 #include "src/layered/find/contact_memory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "src/base/rng.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace tumble::sim {
 namespace {
@@ -28,6 +31,31 @@ void append(ContactMemory& memory, const ContactPair& pair, std::uint32_t points
   }
 }
 
+// Manifolds of which so much is remembered.
+struct Found {
+  std::vector<Manifold> manifolds;
+  std::vector<ManifoldPoint> points;
+};
+Found found_as(const ContactMemory& memory) {
+  Found found;
+  for (std::size_t k = 0; k < memory.size(); ++k) {
+    Manifold& m = found.manifolds.emplace_back();
+    m.a = memory.a[k];
+    m.b = memory.b[k];
+    m.first = static_cast<std::uint32_t>(found.points.size());
+    m.count = memory.count[k];
+    m.asleep = true;  // then d is what friction is remembered
+    m.d = memory.friction[k];
+    m.twist = memory.twist[k];
+    for (std::uint32_t at = 0; at < m.count; ++at) {
+      ManifoldPoint& point = found.points.emplace_back();
+      point.feature = memory.feature[m.first + at];
+      point.impulse = memory.impulse[m.first + at];
+    }
+  }
+  return found;
+}
+
 // Of each pair of bodies some are remembered, some added and some not there. share: of 8, that are added.
 void expect_merged(std::uint64_t seed, std::uint64_t share) {
   ContactMemory memory, added, wanted;
@@ -40,6 +68,13 @@ void expect_merged(std::uint64_t seed, std::uint64_t share) {
       append(drawn / 64 % 8 < share ? added : memory, pair, points);
       append(wanted, pair, points);
     }
+  }
+  Found found = found_as(memory);
+  for (const unsigned workers : {1U, 3U}) {
+    WorkerThreads threads(workers, Split::kEverything);
+    ContactMemory written;
+    remember_contacts(found.manifolds, found.points, &added, {}, &threads, written);
+    EXPECT_EQ(written, wanted) << "seed " << seed << ", share " << share << ", written by " << workers;
   }
   merge_contacts(memory, added);
   EXPECT_EQ(memory, wanted) << "seed " << seed << ", share " << share;

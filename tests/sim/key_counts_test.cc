@@ -1,5 +1,5 @@
 // Items in the order of their keys, counted by several workers: a stable sort, however many share it.
-#include "src/base/key_counts.h"
+#include "src/sharing/key_counts.h"
 
 #include <gtest/gtest.h>
 

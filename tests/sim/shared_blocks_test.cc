@@ -1,5 +1,5 @@
 // Blocks that workers take: each is done once, and a worker that is held up loses its blocks to the others.
-#include "src/base/shared_blocks.h"
+#include "src/sharing/shared_blocks.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(SharedBlocks, AreTakenOnceEach) {
     for (const std::size_t blocks : {0U, 1U, 6U, 1000U}) {
       std::vector<std::atomic<int>> taken(blocks);
       work_together(&workers, parts, [&](const Worker& worker) {
-        SharedBlocks(memory, blocks, worker).take_all([&](std::size_t k) { ++taken[k]; });
+        SharedBlocks(memory, worker.share(blocks), worker).take_all([&](std::size_t k) { ++taken[k]; });
       });
       EXPECT_TRUE(std::ranges::all_of(taken, [](int times) { return times == 1; })) << parts << " workers";
     }
@@ -35,7 +35,7 @@ TEST(SharedBlocks, OfAWorkerThatIsHeldUpGoToTheOthers) {
   std::vector<unsigned> taken_by(kBlocks);
   std::atomic<std::size_t> done = 0;
   work_together(&workers, 2, [&](const Worker& worker) {
-    SharedBlocks(memory, kBlocks, worker).take_all([&](std::size_t k) {
+    SharedBlocks(memory, worker.share(kBlocks), worker).take_all([&](std::size_t k) {
       taken_by[k] = worker.part;
       while (k == 0 && done < kBlocks - 1) continue;
       ++done;

@@ -15,29 +15,33 @@ Folders operator+(Folders left, const Folders& right) {
 
 // The state and all that it is made of.
 const Folders kModel = {"src/base", "src/math", "src/model"};
+const Folders kSharing = {"src/sharing"};
 const Folders kKernels = kModel + Folders{"src/kernels/lanes", "src/kernels/contacts"};
-const Folders kWorld = kKernels + Folders{"src/kernels", "src/world"};
+const Folders kWorld = kKernels + kSharing + Folders{"src/kernels", "src/world"};
 const Folders kSim = kWorld + Folders{"src/step"};
 
 std::vector<Room> simulation() {
   const Folders find = kWorld + Folders{"src/collide"};
   const Folders islands = find + Folders{"src/layered/find"};
   const Folders order = islands + Folders{"src/layered/islands"};
-  const Folders solve = order + Folders{"src/layered/order"};
+  const Folders batch = order + Folders{"src/layered/order"};
+  const Folders solve = batch + Folders{"src/layered/batch"};
   return {
       {"src/base", {}},
+      {"src/sharing", {"src/base"}},
       {"src/math", {"src/base"}},
       {"src/model", {"src/base", "src/math"}},
       {"src/kernels/lanes", kModel},
       {"src/kernels/contacts", kModel + Folders{"src/kernels/lanes"}},
       {"src/kernels", kKernels},
-      {"src/world", kKernels + Folders{"src/kernels"}},
+      {"src/world", kKernels + kSharing + Folders{"src/kernels"}},
       {"src/collide", kWorld},
       {"src/thesis/ground", kWorld},
       {"src/thesis", find + Folders{"src/thesis/ground"}},
       {"src/layered/find", find},
       {"src/layered/islands", islands},
       {"src/layered/order", order},
+      {"src/layered/batch", batch},
       {"src/layered/solve", solve},
       {"src/step", solve + Folders{"src/layered/solve", "src/thesis"}},
       {"src/threads", {"src/base"}},

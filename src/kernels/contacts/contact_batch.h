@@ -54,7 +54,7 @@ struct BodyOutcomes {
 
 /// The bodies of a batch's manifolds, and when each manifold was solved last. They lie apart from the batch: a visit
 /// asks every manifold whether it is due, and then reads only the batches of those that are.
-struct alignas(32) BatchSides {
+struct alignas(64) BatchSides {
   std::uint32_t a[kLanes] = {}, b[kLanes] = {};  ///< rows of solver_bodies; the ground is the row after the last body
   std::uint32_t visited[kLanes] = {};            ///< number of the visit that solved each manifold last (Visit)
   /// Sweeps that solve each manifold, at most 127: in push_contacts and relax_contacts, and in part_overlaps.

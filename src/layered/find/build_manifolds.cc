@@ -291,7 +291,6 @@ void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_
 
 void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, const FastRange& of,
                           ManifoldList& out) {
-  out.clear();
   Builder(state, scratch, substep_s, of.memory, memory_place(of.memory, of.pairs.front().first), out)
       .build_fast(of.pairs, of.approaches);
 }

@@ -36,8 +36,7 @@ struct FastRange {
   const ContactMemory& memory;           ///< of the last substep, or of the last step
 };
 
-/// Makes the list that of the manifolds of fast pairs, from velocities and frames as they are. A pair that passes has
-/// no manifold.
+/// Appends the manifolds of fast pairs, from velocities and frames as they are. A pair that passes has no manifold.
 void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, const FastRange& of,
                           ManifoldList& out);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "src/base/check.h"
+
 namespace tumble::sim {
 namespace {
 
@@ -25,6 +27,7 @@ void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactM
               std::size_t point) {
   memory.a[at] = m.a;
   memory.b[at] = m.b;
+  memory.count[at] = m.count;
   memory.friction.set(at, plus_zero(m.asleep ? m.d : Vec3(m.t1 * m.force1 + m.t2 * m.force2)));
   memory.twist[at] = plus_zero(m.twist);
   for (const ManifoldPoint& p : points.subspan(m.first, m.count)) {
@@ -63,18 +66,31 @@ std::size_t points_before(const ContactMemory& memory, std::size_t k) {
   return std::accumulate(memory.count.begin(), memory.count.begin() + static_cast<std::ptrdiff_t>(k), std::size_t{0});
 }
 
-void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
-                       ContactMemory& memory) {
-  memory.count.resize(manifolds.size());
-  for_ranges(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) memory.count[k] = manifolds[k].count;
-  });
-  make_room(memory, manifolds.size(), points_before(memory, manifolds.size()));
-  for_ranges(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
-    std::size_t point = points_before(memory, begin);
+void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points,
+                       const ContactMemory* added, const Homes& homes, Workers* workers, ContactMemory& memory) {
+  SIM_CHECK((manifolds.empty() ? 0 : manifolds.back().first + manifolds.back().count) == points.size(), points.size());
+  const ContactMemory none;
+  const ContactMemory& more = added == nullptr ? none : *added;
+  make_room(memory, manifolds.size() + more.size(), points.size() + more.feature.size());
+  homes.for_all(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    std::size_t next = contacts_before(more, pair_of(manifolds[begin].a, manifolds[begin].b));
+    std::size_t point = points_before(more, next);
     for (std::size_t k = begin; k < end; ++k) {
-      remember(manifolds[k], points, memory, k, point);
-      point += memory.count[k];
+      const Manifold& m = manifolds[k];
+      SIM_DCHECK(k == 0 || m.first == manifolds[k - 1].first + manifolds[k - 1].count, k);
+      for (; next < more.size() && pair_of(more, next) < pair_of(m.a, m.b); ++next) point += more.count[next];
+      remember(m, points, memory, k + next, m.first + point);
+    }
+  });
+  for_ranges(workers, more.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    std::size_t point = points_before(more, begin);
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto after = std::ranges::upper_bound(manifolds, pair_of(more, k), {},
+                                                  [](const Manifold& m) { return pair_of(m.a, m.b); });
+      const std::size_t before = after == manifolds.end() ? points.size() : after->first;
+      point += more.count[k];
+      move_contact(more, k, point, memory, k + static_cast<std::size_t>(after - manifolds.begin()), before + point);
     }
   });
 }

@@ -29,8 +29,10 @@ inline MemoryPlace memory_place(const ContactMemory& memory, BodyIndex first) {
 }
 
 /// Writes the impulses of manifolds, ascending by pair, to the memory, for the warm start of the next step or substep.
-void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
-                       ContactMemory& memory);
+/// Their points are those of the span, one manifold after the other. added: a memory of other pairs that is written
+/// too, or null. homes: who of the workers has which manifolds.
+void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points,
+                       const ContactMemory* added, const Homes& homes, Workers* workers, ContactMemory& memory);
 
 /// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both.
 void merge_contacts(ContactMemory& memory, const ContactMemory& added);

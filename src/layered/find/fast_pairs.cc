@@ -111,8 +111,8 @@ bool may_meet_if_hit(const Scratch& scratch, BodyIndex lo, BodyIndex hi, double 
   return meets;
 }
 
-void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {
-  constexpr std::size_t kAtOnce = 256;
+void find_approaches(const WorldState& state, Scratch& scratch, double substep_s, std::vector<Approach>& out) {
+  constexpr std::size_t kAtOnce = 64;
   const FreePaths paths(state, scratch, substep_s);
   const double fall = falling_reach(state.def, substep_s);
   const std::vector<ContactPair>& pairs = scratch.fast.pairs;
@@ -141,9 +141,7 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
     paths.follow_all(std::span(queries).first(count));
     for (const FreePaths::Query& of : std::span(queries).first(count)) keep_near(of.a, of.b, *of.approach);
   };
-  for_ranges(scratch.workers, out.size(), kFastPairsAPart, [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; begin += kAtOnce) find(begin, std::min(end, begin + kAtOnce));
-  });
+  for_shared_blocks(scratch.workers, scratch.blocks_left, out.size(), kFastPairsAPart, kAtOnce, find);
 }
 
 }  // namespace tumble::sim

@@ -29,6 +29,6 @@ bool meets_fast(const WorldState& state, const Scratch& scratch, BodyIndex lo, B
 bool may_meet_if_hit(const Scratch& scratch, BodyIndex lo, BodyIndex hi, double fall, double dt_s);
 
 /// How the fast pairs approach within a substep, in their order, from velocities and frames as they are.
-void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out);
+void find_approaches(const WorldState& state, Scratch& scratch, double substep_s, std::vector<Approach>& out);
 
 }  // namespace tumble::sim

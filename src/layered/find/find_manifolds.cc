@@ -18,24 +18,43 @@ namespace {
 
 constexpr std::size_t kWorthPairs = 1024;  // and bodies, that pay for one more worker
 
-constexpr std::size_t kBlocksAPart = 16;  // of bodies
+constexpr std::size_t kPiecesAPart = 16;  // of the bodies, if they lie side by side
 
-// The range of bodies of a block.
-Worker::Share block(std::size_t bodies, std::size_t k, std::size_t blocks) {
-  return {bodies * k / blocks, bodies * (k + 1) / blocks};
+// Cuts the bodies into pieces, ascending, and lists those of each worker. Returns where these begin.
+std::vector<std::uint32_t>& cut_bodies(const WorldState& state, Scratch& scratch, unsigned parts) {
+  const std::size_t n = state.bodies.size(), most = 1 + (n - 1) / (kPiecesAPart * parts);
+  std::vector<ManifoldPiece>& pieces = scratch.manifold_pieces;
+  pieces.clear();
+  for (unsigned part = 0; part < parts; ++part) {
+    scratch.homes.for_own(Worker{scratch.workers, part, parts}, n, [&](std::size_t begin, std::size_t end) {
+      const std::size_t count = (end - begin + most - 1) / most;
+      for (std::size_t k = 0; k < count; ++k) {
+        ManifoldPiece& piece = pieces.emplace_back();
+        piece.worker = part;
+        piece.first = static_cast<std::uint32_t>(begin + (end - begin) * k / count);
+        piece.last = static_cast<std::uint32_t>(begin + (end - begin) * (k + 1) / count);
+      }
+    });
+  }
+  std::ranges::sort(pieces, {}, &ManifoldPiece::first);
+  std::vector<std::uint32_t>& start = scratch.pieces_start;
+  start.assign(parts + 1, 0);
+  for (const ManifoldPiece& piece : pieces) ++start[piece.worker + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  scratch.pieces_by.resize(pieces.size());
+  for (std::uint32_t k = 0; k < pieces.size(); ++k) scratch.pieces_by[start[pieces[k].worker]++] = k;
+  std::shift_right(start.begin(), start.end(), 1);
+  start[0] = 0;
+  return start;
 }
 
 // Finds where the impulses of each block begin. What one of the workers does.
 void find_places(const WorldState& state, std::span<ManifoldPiece> pieces, const Worker& worker) {
   const ContactMemory& memory = state.contact_memory;
   const Worker::Share own = worker.share(pieces.size());
-  const auto contact = [&](std::size_t k) {
-    const auto first = static_cast<BodyIndex>(block(state.bodies.size(), k, pieces.size()).begin);
-    return contacts_before(memory, {first, 0});
-  };
-  std::size_t begin = contact(own.begin);
+  std::size_t begin = own.begin < own.end ? contacts_before(memory, {pieces[own.begin].first, 0}) : 0;
   for (std::size_t k = own.begin; k < own.end; ++k) {
-    const std::size_t end = k + 1 == pieces.size() ? memory.size() : contact(k + 1);
+    const std::size_t end = k + 1 == pieces.size() ? memory.size() : contacts_before(memory, {pieces[k + 1].first, 0});
     const auto counts = memory.count.begin();
     pieces[k].memory = {begin, std::accumulate(counts + static_cast<std::ptrdiff_t>(begin),
                                                counts + static_cast<std::ptrdiff_t>(end), std::size_t{0})};
@@ -55,20 +74,18 @@ ManifoldPiece::Sizes sizes_of(const ManifoldList& list) {
 
 // Several workers find the manifolds, each into a list of its own.
 void find_together(const WorldState& state, Scratch& scratch, double dt_s, unsigned parts) {
-  const std::size_t n = state.bodies.size();
+  const std::vector<std::uint32_t>& start = cut_bodies(state, scratch, parts);
   std::vector<ManifoldPiece>& pieces = scratch.manifold_pieces;
-  pieces.resize(kBlocksAPart * parts);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
     ManifoldList& list = scratch.manifolds_by[worker.part];
     list.clear();
     find_places(state, pieces, worker);
-    SharedBlocks(scratch.blocks_left, pieces.size(), worker).take_all([&](std::size_t k) {
-      ManifoldPiece& piece = pieces[k];
-      const Worker::Share of = block(n, k, pieces.size());
+    const Worker::Share own = {start[worker.part], start[worker.part + 1]};
+    SharedBlocks(scratch.blocks_left, own, worker).take_all([&](std::size_t k) {
+      ManifoldPiece& piece = pieces[scratch.pieces_by[k]];
       piece.worker = worker.part;
       piece.begin = sizes_of(list);
-      build_manifolds(state, scratch, dt_s,
-                      {static_cast<BodyIndex>(of.begin), static_cast<BodyIndex>(of.end), piece.memory}, list, nullptr);
+      build_manifolds(state, scratch, dt_s, {piece.first, piece.last, piece.memory}, list, nullptr);
       piece.end = sizes_of(list);
     });
   });
@@ -114,6 +131,19 @@ void join(Scratch& scratch, unsigned parts) {
   }
   const std::span<ManifoldList> lists = std::span(scratch.manifolds_by).first(parts);
   join_lists(scratch.manifold_pieces, lists, scratch.workers, scratch.manifolds, scratch.manifold_points);
+  std::vector<Homes::Range>& ranges = scratch.manifold_ranges;
+  ranges.clear();
+  std::uint32_t begin = 0;
+  for (const ManifoldPiece& piece : scratch.manifold_pieces) {
+    const auto end = static_cast<std::uint32_t>(begin + (piece.end.manifolds - piece.begin.manifolds));
+    if (!ranges.empty() && ranges.back().worker == piece.worker) {
+      ranges.back().end = end;
+    } else if (begin < end) {
+      ranges.push_back({begin, end, piece.worker});
+    }
+    begin = end;
+  }
+  scratch.manifold_homes.settle(ranges, begin, parts, *scratch.workers);
   // Nobody knows which worker finds how much in the next step. Memory that is not written takes none of the machine's.
   for (ManifoldList& list : lists) {
     reserve_anew(list.manifolds, scratch.manifolds.size());
@@ -138,6 +168,7 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   for (const BodyIndex i : scratch.waking.woken) scratch.held[i] = 1;
   mark_held(state.contact_memory, scratch.workers, scratch.held);
   std::size_t found = 0;
+  scratch.manifold_homes.clear();
   if (parts == 1) {
     find_alone(state, scratch, dt_s, hasher);
     found = scratch.manifolds.size();

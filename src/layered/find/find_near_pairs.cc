@@ -5,6 +5,7 @@
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/velocity_ranges.h"
 #include "src/world/body_columns.h"
+#include "src/world/for_bodies.h"
 #include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
@@ -32,7 +33,7 @@ Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s) {
   ReachColumns reach = {kContactSlack + falling_reach(state.def, dt_s), dt_s, scratch.turning.data(), {}, {}};
   put_pointers(scratch.aabb_low, reach.low);
   put_pointers(scratch.aabb_high, reach.high);
-  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, n, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).bodies.expand_aabbs(bodies, {begin, end}, reach);
   });
   find_overlaps_in_strips(scratch, state.pairs);

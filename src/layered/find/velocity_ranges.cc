@@ -7,6 +7,7 @@
 
 #include "src/layered/find/point_reach.h"
 #include "src/math/grid.h"
+#include "src/world/for_bodies.h"
 #include "src/world/hash_on_the_way.h"
 #include "tumble/sim/limits.h"
 
@@ -42,7 +43,7 @@ double along(const VelocityRange& range, const Vec3& n) {
 // Whether any two bodies could be fast for their thickness; a quick no for most steps.
 bool any_fast(const WorldState& state, const Scratch& scratch, double dt_s) {
   double squared_speed = 0, thin = kPositionMax;
-  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, state.bodies.size(), [&](std::size_t begin, std::size_t end) {
     double fastest = 0, thinnest = kPositionMax;
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       const Vec3 v = velocity_of(state.bodies, i);
@@ -72,7 +73,7 @@ bool find_velocity_ranges(const WorldState& state, Scratch& scratch, double dt_s
   if (!any_fast(state, scratch, dt_s)) return false;
   ranges.resize(bodies.size());
   scratch.hit_unevenly.resize(bodies.size());
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) ranges[i] = own_range(velocity_of(bodies, i));
   });
   std::uint8_t any = 0;
@@ -96,7 +97,7 @@ bool find_velocity_ranges(const WorldState& state, Scratch& scratch, double dt_s
 }
 
 void widen_aabbs(const WorldState& state, Scratch& scratch, double dt_s) {
-  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, state.bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       const VelocityRange own = own_range(velocity_of(state.bodies, i)), &all = scratch.ranges[i];
       const Vec3 low = scratch.aabb_low[i], high = scratch.aabb_high[i];

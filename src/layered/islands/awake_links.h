@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/model/mass.h"
+#include "src/world/for_bodies.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 
@@ -23,7 +24,7 @@ BodyIndex mover_of(const Bodies& bodies, const Contact& contact) {
 template <class Visit>
 void for_awake(const Scratch& scratch, Visit visit) {
   const std::vector<ContactGraph::Link>& links = scratch.graph.links;
-  for_ranges(scratch.workers, links.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+  for_manifolds(scratch, links.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (links[k].awake) visit(links[k]);
     }

@@ -1,14 +1,17 @@
 #include "src/layered/islands/find_islands.h"
 
+#include <algorithm>
+
 #include "src/layered/islands/awake_links.h"
+#include "src/world/for_bodies.h"
 #include "src/world/islands.h"
 
 namespace tumble::sim {
 namespace {
 
-void note(const Bodies& bodies, Islands& islands, Workers* workers, std::vector<BodyIndex>& of) {
-  of.resize(bodies.size());
-  for_ranges(workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+void note(const Scratch& scratch, std::size_t bodies, Islands& islands, std::vector<BodyIndex>& of) {
+  of.resize(bodies);
+  for_bodies(scratch, bodies, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) of[i] = islands.of(i);
   });
 }
@@ -22,13 +25,16 @@ void find_islands(const WorldState& state, Scratch& scratch) {
     if (!at_rest(bodies, a) && !at_rest(bodies, b)) islands.join(a, b);
   };
   for_awake(scratch, [&](const ContactGraph::Link& link) { join(link.a, link.b); });
-  note(bodies, islands, scratch.workers, scratch.islands.of);
+  note(scratch, bodies.size(), islands, scratch.islands.of);
   if (scratch.fast.none()) {
-    scratch.islands.hit = scratch.islands.of;
+    scratch.islands.hit.resize(bodies.size());
+    for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
+      std::copy(scratch.islands.of.data() + begin, scratch.islands.of.data() + end, scratch.islands.hit.data() + begin);
+    });
     return;
   }
   for (const auto& [a, b] : scratch.fast.pairs) join(a, b);
-  note(bodies, islands, scratch.workers, scratch.islands.hit);
+  note(scratch, bodies.size(), islands, scratch.islands.hit);
 }
 
 }  // namespace tumble::sim

@@ -4,6 +4,7 @@
 
 #include "src/layered/find/velocity_ranges.h"
 #include "src/layered/islands/awake_links.h"
+#include "src/world/for_bodies.h"
 
 namespace tumble::sim {
 namespace {
@@ -51,12 +52,12 @@ std::span<const std::uint8_t> find_hard_islands(const WorldState& state, Scratch
     if (makes_hard(m)) mark(any);
   });
   if (any == 0) return {};
-  own.marked.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), own.marked, std::uint8_t{0});
   own.hard.resize(bodies.size());
   for_awake(scratch, [&](const Link& m) {
     if (makes_hard(m)) mark(own.marked[own.of[mover_of(bodies, m)]]);
   });
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) own.hard[i] = own.marked[own.of[i]];
   });
   return own.hard;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/world/for_bodies.h"
+
 namespace tumble::sim {
 
 namespace {
@@ -29,23 +31,25 @@ struct Run {
 
 void measure_islands(const Bodies& bodies, Scratch& scratch) {
   IslandScratch& islands = scratch.islands;
-  bodies_of(islands).assign(bodies.size(), 0);
-  islands.heaviest.assign(bodies.size(), 0);
-  islands.reach2.assign(bodies.size(), 1);
-  const unsigned parts = part_count(scratch.workers, bodies.size(), kBodiesAPart);
+  const std::size_t n = bodies.size();
+  fill_bodies(scratch, n, bodies_of(islands), 0U);
+  fill_bodies(scratch, n, islands.heaviest, 0.0);
+  fill_bodies(scratch, n, islands.reach2, 1.0);
+  const unsigned parts = scratch.homes.parts_for(scratch.workers, n, kBodiesAPart);
   work_together(scratch.workers, parts, [&](const Worker& worker) {
-    const Worker::Share share = worker.share(bodies.size());
     Run run;
-    for (std::size_t i = share.begin; i < share.end; ++i) {
-      if (scratch.graph.start[i] == scratch.graph.start[i + 1]) continue;
-      if (islands.of[i] != run.island) {
-        run.add_to(islands, worker);
-        run = {islands.of[i]};
+    scratch.homes.for_own(worker, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (scratch.graph.start[i] == scratch.graph.start[i + 1]) continue;
+        if (islands.of[i] != run.island) {
+          run.add_to(islands, worker);
+          run = {islands.of[i]};
+        }
+        ++run.bodies;
+        run.heaviest = std::max(run.heaviest, bodies.mass[i]);
+        run.reach2 = std::max(run.reach2, dot(bodies.half_extent[i], bodies.half_extent[i]));
       }
-      ++run.bodies;
-      run.heaviest = std::max(run.heaviest, bodies.mass[i]);
-      run.reach2 = std::max(run.reach2, dot(bodies.half_extent[i], bodies.half_extent[i]));
-    }
+    });
     run.add_to(islands, worker);
   });
 }

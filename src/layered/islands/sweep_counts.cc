@@ -4,6 +4,7 @@
 
 #include "src/layered/islands/awake_links.h"
 #include "src/layered/islands/later_numbers.h"
+#include "src/world/for_bodies.h"
 
 namespace tumble::sim {
 namespace {
@@ -52,7 +53,7 @@ int sweeps_for(std::uint32_t layers, bool hard) {
 void count_layers(const Bodies& bodies, Scratch& scratch, const SweepGroup& soft) {
   IslandScratch& own = scratch.islands;
   const std::vector<ContactGraph::Link>& links = scratch.graph.links;
-  for_ranges(scratch.workers, links.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+  for_manifolds(scratch, links.size(), [&](std::size_t begin, std::size_t end) {
     BodyIndex island = 0;
     std::uint32_t layers = 0;
     const auto raise_island = [&] {
@@ -84,9 +85,9 @@ void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std
   IslandScratch& own = scratch.islands;
   const SweepGroup& soft = scratch.sweep_groups[0];
   const auto is_hard = [&](BodyIndex i) { return !in_hard.empty() && in_hard[i] != 0; };
-  own.layers.assign(bodies.size(), kFewestLayers);
-  own.most_sweeps.assign(bodies.size(), 1);
-  own.has_bar.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), own.layers, kFewestLayers);
+  fill_bodies(scratch, bodies.size(), own.most_sweeps, std::uint8_t{1});
+  fill_bodies(scratch, bodies.size(), own.has_bar, std::uint8_t{0});
   count_layers(bodies, scratch, soft);
   for (const auto& [a, b] : scratch.fast.pairs) {
     if (!at_rest(bodies, a) && !at_rest(bodies, b)) own.most_sweeps[own.hit[a]] = kHitSweeps;
@@ -95,7 +96,7 @@ void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std
     }
   }
   own.sweeps.resize(bodies.size());
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       const BodyIndex island = own.hit[i];
       const auto sweeps = static_cast<std::uint8_t>(sweeps_for(own.layers[island], is_hard(i)));
@@ -114,7 +115,7 @@ void count_parting_sweeps(const WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   const ContactBatches& all = scratch.contact_batches;
   std::vector<double>& deepest = deepest_overlaps(scratch);
-  deepest.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), deepest, 0.0);
   for_lanes(bodies, scratch, [&](const ContactBatch& batch, const BatchSides& sides, unsigned lane, BodyIndex island) {
     if (sides.visited[lane] == 0) shared::raise(deepest[island], overlap_of(all, batch, lane));
   });

@@ -24,31 +24,38 @@ void measure_levels(const WorldState& state, Scratch& scratch, const Worker& wor
   const Bodies& bodies = state.bodies;
   const ContactGraph& graph = scratch.graph;
   std::vector<std::uint32_t>& level = scratch.level;
-  Waves waves(scratch.waves, bodies.size(), worker);
-  const Worker::Share share = worker.share(bodies.size());
-  std::fill(level.begin() + static_cast<std::ptrdiff_t>(share.begin),
-            level.begin() + static_cast<std::ptrdiff_t>(share.end), kUnreached);
+  Waves waves(scratch.waves, bodies.size(), scratch.homes, worker);
+  const auto for_own = [&](auto visit) { scratch.homes.for_own(worker, bodies.size(), visit); };
+  for_own([&](std::size_t begin, std::size_t end) {
+    std::fill(level.begin() + static_cast<std::ptrdiff_t>(begin), level.begin() + static_cast<std::ptrdiff_t>(end),
+              kUnreached);
+  });
   worker.meet();
-  const auto reach = [&](BodyIndex i, std::uint32_t at) {
-    if (!at_rest(bodies, i) && worker.exchange(level[i], kUnreached, at)) waves.push(i);
+  const auto reach = [&](BodyIndex i, std::uint32_t at, const Worker& by) {
+    if (!at_rest(bodies, i) && by.exchange(level[i], kUnreached, at)) waves.push(i);
   };
-  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
-    bool touches_rest = false;
-    for_ends(graph, i, [&](const ContactEnd& end) {
-      touches_rest |= graph.links[end.manifold].touches && at_rest(bodies, end.other);
-    });
-    if (touches_rest) reach(i, 1);
-  }
+  const bool at_home = graph.alone_among != 0;
+  for_own([&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      bool touches_rest = false, alone = at_home;
+      for_ends(graph, i, [&](const ContactEnd& contact) {
+        touches_rest |= graph.links[contact.manifold].touches && at_rest(bodies, contact.other);
+        alone = alone && (at_rest(bodies, contact.other) || scratch.homes.worker_of(contact.other) == worker.part);
+      });
+      scratch.graph.alone[i] = alone ? 1 : 0;
+      if (touches_rest) reach(i, 1, worker);
+    }
+  });
   // What a fast pair hits, it touches within the step: what lands is solved from the ground up at once.
   const Worker::Share pairs = worker.share(scratch.fast.pairs.size());
   for (std::size_t k = pairs.begin; k < pairs.end; ++k) {
     const auto [a, b] = scratch.fast.pairs[k];
-    if (at_rest(bodies, a) != at_rest(bodies, b)) reach(at_rest(bodies, a) ? b : a, 1);
+    if (at_rest(bodies, a) != at_rest(bodies, b)) reach(at_rest(bodies, a) ? b : a, 1, worker);
   }
   waves.walk([&](BodyIndex i) {
     const std::uint32_t at = level[i] + 1;
     for_ends(graph, i, [&](const ContactEnd& end) {
-      if (graph.links[end.manifold].touches) reach(end.other, at);
+      if (graph.links[end.manifold].touches) reach(end.other, at, who_adds(graph, end.other, worker));
     });
   });
 }
@@ -70,40 +77,53 @@ class Layers {
 
   void sort(const Worker& worker) {
     std::vector<Link>& links = scratch_.graph.links;
-    const Worker::Share share = worker.share(links.size());
+    const Homes& homes = scratch_.manifold_homes;
     std::uint32_t highest[2] = {};
-    for (std::size_t k = share.begin; k < share.end; ++k) {
-      if (!links[k].awake) continue;
-      links[k].layer = layer_for(state_, scratch_, links[k]);
-      if (links[k].layer != kUnreached) raise(highest[in_hard(links[k])], links[k].layer);
-    }
+    homes.for_own(worker, links.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (!links[k].awake) continue;
+        links[k].layer = layer_for(state_, scratch_, links[k]);
+        if (links[k].layer != kUnreached) raise(highest[in_hard(links[k])], links[k].layer);
+      }
+    });
     for (int hard = 0; hard < 2; ++hard) worker.raise(highest_[hard], highest[hard]);
     worker.meet();
-    if (worker.first()) make_groups(worker.parts);
+    if (worker.first()) make_groups(homes.slots(links.size(), worker.parts));
     worker.meet();
-    std::uint32_t* const next = scratch_.next_in_layer.data() + worker.part * scratch_.layer_start.size();
-    for (std::size_t k = share.begin; k < share.end; ++k) {
-      if (!links[k].awake) continue;
-      const SweepGroup& group = scratch_.sweep_groups[in_hard(links[k])];
-      links[k].layer = group.begin + std::min(links[k].layer, group.end - group.begin - 1);
-      scratch_.manifolds[k].layer = links[k].layer;
-      ++next[links[k].layer];
-    }
+    homes.for_own_slots(worker, links.size(), [&](std::size_t begin, std::size_t end, std::size_t slot) {
+      std::uint32_t* const counts = counts_of(slot);
+      for (std::size_t k = begin; k < end; ++k) {
+        if (!links[k].awake) continue;
+        const SweepGroup& group = scratch_.sweep_groups[in_hard(links[k])];
+        links[k].layer = group.begin + std::min(links[k].layer, group.end - group.begin - 1);
+        scratch_.manifolds[k].layer = links[k].layer;
+        ++counts[links[k].layer];
+      }
+    });
     worker.meet();
-    if (worker.first()) place_layers(worker.parts);
+    if (worker.first()) place_layers(homes.slots(links.size(), worker.parts));
     worker.meet();
-    for (std::size_t k = share.begin; k < share.end; ++k) {
-      if (links[k].awake) scratch_.layered[next[links[k].layer]++] = static_cast<std::uint32_t>(k);
-    }
+    homes.for_own_slots(worker, links.size(), [&](std::size_t begin, std::size_t end, std::size_t slot) {
+      std::uint32_t* const next = counts_of(slot);
+      for (std::size_t k = begin; k < end; ++k) {
+        if (links[k].awake) scratch_.layered[next[links[k].layer]++] = static_cast<std::uint32_t>(k);
+      }
+    });
   }
 
  private:
+  static constexpr std::size_t kLine = 16;  // numbers in a cache line
+
+  // Numbers of a slot, which share no line with those of another one.
+  [[nodiscard]] std::size_t row() const { return (scratch_.layer_start.size() / kLine + 2) * kLine; }
+  [[nodiscard]] std::uint32_t* counts_of(std::size_t slot) { return scratch_.next_in_layer.data() + slot * row(); }
+
   static void raise(std::uint32_t& largest, std::uint32_t x) { largest = std::max(largest, x); }
 
   unsigned in_hard(const Link& m) const {
     return !near_hard_.empty() && near_hard_[mover_of(state_.bodies, m)] != 0 ? 1U : 0U;
   }
-  void make_groups(unsigned workers) {
+  void make_groups(std::size_t slots) {
     scratch_.sweep_groups.clear();
     std::uint32_t end = 0;
     for (int hard = 0; hard < (near_hard_.empty() ? 1 : 2); ++hard) {
@@ -112,16 +132,16 @@ class Layers {
       end += layers;
     }
     scratch_.layer_start.resize(end + 1);
-    scratch_.next_in_layer.assign(workers * scratch_.layer_start.size(), 0);
+    scratch_.next_in_layer.assign(slots * row(), 0);
   }
-  // From the counts of each worker, where its manifolds of each layer begin.
-  void place_layers(unsigned workers) {
+  // From the counts of each slot, where its manifolds of each layer begin.
+  void place_layers(std::size_t slots) {
     const std::size_t layers = scratch_.layer_start.size();
     std::uint32_t begin = 0;
     for (std::size_t layer = 0; layer < layers; ++layer) {
       scratch_.layer_start[layer] = begin;
-      for (std::size_t worker = 0; worker < workers; ++worker) {
-        begin += std::exchange(scratch_.next_in_layer[worker * layers + layer], begin);
+      for (std::size_t slot = 0; slot < slots; ++slot) {
+        begin += std::exchange(counts_of(slot)[layer], begin);
       }
     }
     scratch_.layered.resize(begin);
@@ -138,7 +158,9 @@ class Layers {
 Status assign_levels(WorldState& state, Scratch& scratch, double dt_s) {
   connect_contacts(state, scratch);
   scratch.level.resize(state.bodies.size());
+  scratch.graph.alone.resize(state.bodies.size());
   const unsigned parts = part_count(scratch.workers, scratch.manifolds.size(), kManifoldsAPart);
+  scratch.graph.alone_among = scratch.homes.fit(state.bodies.size(), parts) ? parts : 0;
   work_together(scratch.workers, parts, [&](const Worker& worker) { measure_levels(state, scratch, worker); });
   find_islands(state, scratch);
   const std::span<const std::uint8_t> in_hard = find_hard_islands(state, scratch, dt_s);

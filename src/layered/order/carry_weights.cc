@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/layered/islands/island_scale.h"
+#include "src/layered/order/contact_graph.h"
 #include "src/layered/order/contact_motion.h"
 #include "src/layered/order/find_blows.h"
 #include "src/layered/order/find_supports.h"
@@ -47,16 +48,18 @@ class Walk {
 
   /// What one of several workers does.
   void run(const WorldState& state, const Worker& worker) {
-    Waves waves(scratch_.waves, bodies_.size(), worker);
-    clear(worker.share(bodies_.size()));
-    if (worker.first()) own_.meets.resize(scratch_.layered.size());
+    Waves waves(scratch_.waves, bodies_.size(), scratch_.homes, worker);
+    const auto for_own = [&](auto visit) { scratch_.homes.for_own(worker, bodies_.size(), visit); };
+    for_own([&](std::size_t begin, std::size_t end) { clear(begin, end); });
+    if (worker.first()) own_.meets.resize(scratch_.manifolds.size());
     worker.meet();
     find_supports(bodies_, scratch_, worker);
     find_blows(bodies_, gravity_, scratch_, worker);
-    const Worker::Share share = worker.share(bodies_.size());
-    for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
-      if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) waves.push(i);
-    }
+    for_own([&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+        if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) waves.push(i);
+      }
+    });
     // Bodies that rest on each other in a ring never become ready; the sweeps alone carry them.
     std::vector<SupportPoint>& points = own_.points[worker.part];
     waves.walk([&](BodyIndex i) {
@@ -65,8 +68,9 @@ class Walk {
       const IslandScale scale = scale_of(scratch_.islands, i);
       const double part = load_points(i, points, scale);
       for (Support& s : supports_of(i)) {
-        pass_down(s, points, part, scale, worker);
-        if (s.lower != kGround && worker.add(own_.waiting_for[s.lower], kOneLess) == 1) waves.push(s.lower);
+        const Worker by = who_adds(scratch_.graph, s.lower, worker);
+        pass_down(s, points, part, scale, by);
+        if (s.lower != kGround && by.add(own_.waiting_for[s.lower], kOneLess) == 1) waves.push(s.lower);
       }
     });
     find_held(scratch_, waves);
@@ -82,16 +86,16 @@ class Walk {
   Vec3 seen(const Vec3& place) const { return seen_along(tilt_, place); }
 
   // Of a range of bodies.
-  void clear(const Worker::Share& share) {
+  void clear(std::size_t begin, std::size_t end) {
     const auto fill = [&](auto& column, const auto& value) {
-      std::fill(column.begin() + static_cast<std::ptrdiff_t>(share.begin),
-                column.begin() + static_cast<std::ptrdiff_t>(share.end), value);
+      std::fill(column.begin() + static_cast<std::ptrdiff_t>(begin), column.begin() + static_cast<std::ptrdiff_t>(end),
+                value);
     };
     for (std::vector<double>* column : {&own_.borne, &own_.moment_x, &own_.moment_y}) fill(*column, 0);
     for (std::vector<std::uint8_t>* column : {&own_.stands, &own_.held, &own_.settled, &own_.struck}) fill(*column, 0);
     fill(own_.first_blow, WeightScratch::kNoBlow);
     fill(scratch_.lent_along, Vec3(Vec3::Zero()));
-    for (std::size_t i = share.begin; i < share.end; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       own_.offered[i] = scratch_.solver_mass[i] = bodies_.mass[i];
     }
   }
@@ -191,7 +195,6 @@ class Walk {
     }
   }
 
-  // Other workers add to the lower body too.
   void pass_down(Support& s, std::span<const SupportPoint> points, double part, const IslandScale& scale,
                  const Worker& worker) {
     const Manifold& m = scratch_.manifolds[s.manifold];
@@ -247,7 +250,7 @@ void make_room(Scratch& scratch, std::size_t bodies, unsigned workers) {
 }  // namespace
 
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
-  const unsigned parts = part_count(scratch.workers, scratch.layered.size(), kManifoldsAPart);
+  const unsigned parts = part_count(scratch.workers, scratch.manifolds.size(), kManifoldsAPart);
   make_room(scratch, state.bodies.size(), parts);
   measure_islands(state.bodies, scratch);
   Walk walk(state, scratch, dt_s / state.def.substeps);

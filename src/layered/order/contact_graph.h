@@ -28,4 +28,11 @@ void for_ends(const ContactGraph& graph, BodyIndex i, Visit visit) {
   }
 }
 
+/// Who adds to a body while bodies in contact with it are treated in waves: a worker alone, where all of them are at
+/// home with one worker, as is the body.
+inline Worker who_adds(const ContactGraph& graph, BodyIndex i, const Worker& worker) {
+  const bool alone = graph.alone_among == worker.parts && i != kGround && graph.alone[i] != 0;
+  return alone ? Worker{worker.all, worker.part, 1} : worker;
+}
+
 }  // namespace tumble::sim

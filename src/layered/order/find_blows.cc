@@ -90,22 +90,27 @@ class Blows {
 void find_blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch, const Worker& worker) {
   if (gravity == Vec3::Zero()) return;
   WeightScratch& own = scratch.weights;
-  const std::span<const std::uint32_t> all = scratch.layered;
-  const Worker::Share share = worker.share(all.size());
+  const std::size_t n = scratch.manifolds.size();
   std::uint32_t count = 0;
-  for (std::size_t k = share.begin; k < share.end; ++k) {
-    own.meets[k] = meets(bodies, scratch, scratch.manifolds[all[k]]) ? 1 : 0;
-    count += own.meets[k];
-  }
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      own.meets[k] = scratch.graph.links[k].awake && meets(bodies, scratch, scratch.manifolds[k]) ? 1 : 0;
+      count += own.meets[k];
+    }
+  };
+  scratch.manifold_homes.for_own(worker, n, find);
   own.meeting[worker.part] = count;
   if (!worker.meet(count > 0)) return;
   const auto before = own.meeting.begin() + worker.part;
   if (worker.first()) own.blows.resize(std::accumulate(own.meeting.begin(), own.meeting.end(), std::size_t{0}));
   worker.meet();
   Blows blows(bodies, gravity, scratch, worker, std::accumulate(own.meeting.begin(), before, 0U));
-  for (std::size_t k = share.begin; k < share.end; ++k) {
-    if (own.meets[k] != 0) blows.add(scratch.manifolds[all[k]]);
-  }
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (own.meets[k] != 0) blows.add(scratch.manifolds[k]);
+    }
+  };
+  scratch.manifold_homes.for_own(worker, n, add);
 }
 
 }  // namespace tumble::sim

@@ -9,22 +9,21 @@ void find_supports(const Bodies& bodies, Scratch& scratch, const Worker& worker)
   WeightScratch& own = scratch.weights;
   const ContactGraph& graph = scratch.graph;
   const std::size_t n = bodies.size();
-  const Worker::Share share = worker.share(n);
-  // Calls visit(end) where body i is above, or below: side is 1 or −1.
-  const auto for_side = [&](BodyIndex i, int side, auto visit) {
-    for_ends(graph, i, [&](const ContactEnd& end) {
-      if (graph.links[end.manifold].upper == (end.is_b ? side : -side)) visit(end);
-    });
-  };
-  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
-    std::uint32_t below = 0, above = 0;
-    if (bodies.moves(i)) {
-      for_side(i, 1, [&](const ContactEnd&) { ++below; });
-      for_side(i, -1, [&](const ContactEnd& end) { above += moves(bodies, end.other) ? 1U : 0U; });
+  const auto count = [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      std::uint32_t below = 0, above = 0;
+      if (bodies.moves(i)) {
+        for_ends(graph, i, [&](const ContactEnd& contact) {
+          const int side = graph.links[contact.manifold].upper * (contact.is_b ? 1 : -1);
+          below += side > 0 ? 1U : 0U;
+          above += side < 0 && moves(bodies, contact.other) ? 1U : 0U;
+        });
+      }
+      own.start[i + 1] = below;
+      own.waiting_for[i] = above;
     }
-    own.start[i + 1] = below;
-    own.waiting_for[i] = above;
-  }
+  };
+  scratch.homes.for_own(worker, n, count);
   worker.meet();
   if (worker.first()) {
     own.start[0] = 0;
@@ -32,13 +31,17 @@ void find_supports(const Bodies& bodies, Scratch& scratch, const Worker& worker)
     own.supports.resize(own.start[n]);
   }
   worker.meet();
-  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
-    if (!bodies.moves(i)) continue;
-    WeightScratch::Support* next = own.supports.data() + own.start[i];
-    for_side(i, 1, [&](const ContactEnd& end) {
-      *next++ = {0, end.manifold, i, moves(bodies, end.other) ? end.other : kGround};
-    });
-  }
+  const auto list = [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (!bodies.moves(i)) continue;
+      WeightScratch::Support* next = own.supports.data() + own.start[i];
+      for_ends(graph, i, [&](const ContactEnd& contact) {
+        if (graph.links[contact.manifold].upper != (contact.is_b ? 1 : -1)) return;
+        *next++ = {0, contact.manifold, i, moves(bodies, contact.other) ? contact.other : kGround};
+      });
+    }
+  };
+  scratch.homes.for_own(worker, n, list);
   worker.meet();
 }
 

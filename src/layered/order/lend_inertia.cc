@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "src/layered/order/contact_graph.h"
+
 namespace tumble::sim {
 namespace {
 
@@ -80,8 +82,9 @@ void find_held(Scratch& scratch, const Waves& waves) {
     const bool unsettled = own.settled[i] == 0 && own.borne[i] != 0;
     for (const Support& s : supports_of(own, i)) {
       if (s.lower == kGround) continue;
-      worker.raise(own.offered[s.lower], own.offered[i]);
-      if (unsettled && s.bears) worker.put(own.settled[s.lower], std::uint8_t{0});
+      const Worker by = who_adds(scratch.graph, s.lower, worker);
+      by.raise(own.offered[s.lower], own.offered[i]);
+      if (unsettled && s.bears) by.put(own.settled[s.lower], std::uint8_t{0});
     }
   });
 }

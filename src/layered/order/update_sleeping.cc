@@ -4,6 +4,7 @@
 
 #include "src/layered/islands/later_numbers.h"
 #include "src/world/body_check.h"
+#include "src/world/for_bodies.h"
 #include "src/world/islands.h"
 
 namespace tumble::sim {
@@ -28,7 +29,7 @@ double parting(const Scratch& scratch, BodyIndex i) {
 // Calls visit(manifold) for all manifolds that touch, by several workers at a time.
 template <class Visit>
 void for_touching(const Scratch& scratch, Visit visit) {
-  for_ranges(scratch.workers, scratch.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+  for_manifolds(scratch, scratch.manifolds.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (touches(scratch, scratch.manifolds[k])) visit(scratch.manifolds[k]);
     }
@@ -40,9 +41,12 @@ void for_touching(const Scratch& scratch, Visit visit) {
 // behind that has rested for long.
 void look_around(const Bodies& bodies, Scratch& scratch) {
   SleepScratch& sleeping = scratch.sleeping;
-  sleeping.touching.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), sleeping.touching, std::uint8_t{0});
   std::vector<double>& least = least_rests(scratch);
-  least = bodies.low_energy_time;
+  least.resize(bodies.size());
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
+    std::copy(bodies.low_energy_time.data() + begin, bodies.low_energy_time.data() + end, least.data() + begin);
+  });
   for_touching(scratch, [&](const Manifold& m) {
     mark(sleeping.touching[m.b]);
     if (m.a == kGround) return;
@@ -58,7 +62,7 @@ bool advance_timers(WorldState& state, Scratch& scratch, double dt_s) {
   const WorldDef& def = state.def;
   Bodies& bodies = state.bodies;
   std::uint8_t any = 0;
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       if (!bodies.moves(i)) continue;
       const bool low = scratch.sleeping.touching[i] != 0 && energy_per_mass(bodies, i) < def.freeze_energy &&
@@ -83,8 +87,8 @@ bool rests(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.m
 // is. Also those of several bodies.
 void mark_held(const Bodies& bodies, Scratch& scratch, Islands& islands) {
   std::vector<std::uint8_t>&held = scratch.sleeping.held, &together = scratch.sleeping.together;
-  held.assign(bodies.size(), 0);
-  together.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), held, std::uint8_t{0});
+  fill_bodies(scratch, bodies.size(), together, std::uint8_t{0});
   for_touching(scratch, [&](const Manifold& m) {
     if (!rests(bodies, m.a) && !rests(bodies, m.b)) mark(together[islands.of(m.b)]);
     if (rests(bodies, m.a) && !rests(bodies, m.b)) mark(held[islands.of(m.b)]);
@@ -95,7 +99,7 @@ void mark_held(const Bodies& bodies, Scratch& scratch, Islands& islands) {
 // Calls visit(body) for all bodies that move, by several workers at a time.
 template <class Visit>
 void for_moving(const Bodies& bodies, const Scratch& scratch, Visit visit) {
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       if (bodies.moves(i)) visit(i);
     }
@@ -106,8 +110,8 @@ void for_moving(const Bodies& bodies, const Scratch& scratch, Visit visit) {
 // as a sum of energies would.
 void find_liveliest(const Bodies& bodies, Scratch& scratch, Islands& islands) {
   std::vector<double>&before = liveliest_before(scratch), &after = liveliest_after(scratch);
-  before.assign(bodies.size(), 0);
-  after.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), before, 0.0);
+  fill_bodies(scratch, bodies.size(), after, 0.0);
   for_moving(bodies, scratch, [&](BodyIndex i) {
     const BodyIndex island = islands.of(i);
     shared::raise(before[island], scratch.sleeping.energy_before[i]);
@@ -131,7 +135,7 @@ void freeze_islands(WorldState& state, Scratch& scratch, double dt_s) {
   });
   mark_held(bodies, scratch, islands);
   std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
-  restless.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), restless, std::uint8_t{0});
   for_moving(bodies, scratch, [&](BodyIndex i) {
     if (bodies.low_energy_time[i] < state.def.freeze_time) mark(restless[islands.of(i)]);
   });
@@ -151,10 +155,10 @@ void freeze_islands(WorldState& state, Scratch& scratch, double dt_s) {
 void note_energies(const WorldState& state, Scratch& scratch, double dt_s) {
   const Bodies& bodies = state.bodies;
   std::vector<double>& energy = scratch.sleeping.energy_before;
-  energy.assign(bodies.size(), 0);
+  fill_bodies(scratch, bodies.size(), energy, 0.0);
   if (!state.def.freezing) return;
   const double from = state.def.freeze_time - 2 * dt_s;
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       if (bodies.low_energy_time[i] >= from && bodies.moves(i)) energy[i] = energy_per_mass(bodies, i);
     }

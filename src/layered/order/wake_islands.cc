@@ -7,6 +7,7 @@
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
 #include "src/world/edit_bodies.h"
+#include "src/world/for_bodies.h"
 #include "src/world/islands.h"
 
 namespace tumble::sim {
@@ -21,7 +22,7 @@ bool lively(const WorldState& state, BodyIndex i) {
 bool any_disturbed(const WorldState& state, const Scratch& scratch) {
   const std::vector<std::uint8_t>& frozen = state.bodies.frozen;
   std::uint8_t any = 0;
-  for_ranges(scratch.workers, scratch.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+  for_manifolds(scratch, scratch.manifolds.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Manifold& m = scratch.manifolds[k];
       if (m.asleep || m.a == kGround) continue;

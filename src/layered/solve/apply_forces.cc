@@ -3,6 +3,7 @@
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
 #include "src/math/grid.h"
+#include "src/world/for_bodies.h"
 
 namespace tumble::sim {
 namespace {
@@ -16,7 +17,7 @@ Vec3 gain_by(const Vec3& fall, const SolverBody& body) {
 
 Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
   const Vec3 fall = state.def.gravity * substep_s;
-  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, state.bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
       SolverBody& body = scratch.solver_bodies[i];

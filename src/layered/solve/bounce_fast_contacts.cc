@@ -33,7 +33,7 @@ Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double subs
   mark_pressed(scratch);
   store_fast_contacts(scratch);
   const ManifoldList& found = scratch.fast.found;
-  remember_contacts(found.manifolds, found.points, scratch.workers, scratch.fast.memory);
+  remember_contacts(found.manifolds, found.points, nullptr, {}, scratch.workers, scratch.fast.memory);
   scratch.fast.remembers = true;
   return {};
 }

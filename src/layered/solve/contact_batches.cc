@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "src/layered/batch/share_sweeps.h"
 #include "src/layered/solve/keep_borne.h"
 #include "src/math/grid.h"
 #include "src/world/manifold_hashes.h"
@@ -76,20 +77,30 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
   const ContactBatches& all = scratch.contact_batches;
   const auto inverse_mass = [&](BodyIndex i) { return i == kGround ? 0.0 : scratch.solver_bodies[i].inverse_mass; };
   const auto weight_of = [&](const Manifold& m) { return fall / std::max(inverse_mass(m.a), inverse_mass(m.b)); };
+  const auto store_one = [&](std::uint32_t manifold, std::uint32_t place) {
+    Manifold& m = scratch.manifolds[manifold];
+    const ContactBatch& batch = all.batches[place / kLanes];
+    const ContactLane contact{batch, all.points.data() + batch.first, place % kLanes};
+    const std::span<ManifoldPoint> points = points_of(scratch, m);
+    const double before = impulse_of(contact, points);
+    store_contact(all, place, m, points);
+    if (grew(contact, before, points)) keep_borne(contact, before, weight_of(m), m, points);
+  };
+  if (hasher == nullptr) {
+    return for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
+      for (auto k = static_cast<std::uint32_t>(begin); k < end; ++k) {
+        const ContactBatch& batch = all.batches[k];
+        for (unsigned lane = 0; lane < batch.used; ++lane) {
+          store_one(all.order[batch.members + lane], k * kLanes + lane);
+        }
+      }
+    });
+  }
   const auto store = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      Manifold& m = scratch.manifolds[scratch.layered[k]];
-      const std::uint32_t place = all.place[scratch.layered[k]];
-      const ContactBatch& batch = all.batches[place / kLanes];
-      const ContactLane contact{batch, all.points.data() + batch.first, place % kLanes};
-      const std::span<ManifoldPoint> points = points_of(scratch, m);
-      const double before = impulse_of(contact, points);
-      store_contact(all, place, m, points);
-      if (grew(contact, before, points)) keep_borne(contact, before, weight_of(m), m, points);
-    }
+    for (std::size_t k = begin; k < end; ++k) store_one(scratch.layered[k], all.place[scratch.layered[k]]);
   };
   GatheredNumbers numbers(hasher);
-  for_hashed_ranges(hasher, scratch.workers, scratch.layered.size(), kManifoldsAPart, kManifoldsABlock, store,
+  for_hashed_ranges(hasher, nullptr, scratch.layered.size(), kManifoldsAPart, kManifoldsABlock, store,
                     [&](std::size_t begin, std::size_t end) { add_stored_contacts(scratch, begin, end, numbers); });
 }
 

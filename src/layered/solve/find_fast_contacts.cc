@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/batch/batch_contacts.h"
 #include "src/layered/find/build_manifolds.h"
 #include "src/layered/find/fast_pairs.h"
 #include "src/layered/find/join_lists.h"
-#include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
@@ -128,7 +128,11 @@ class PointsOfLane {
   double acceleration_;
 };
 
-// Several workers find ranges of the pairs, each into a list of its own.
+// Pieces of the pairs that each of several workers has in the mean; finding where the impulses of one begin takes as
+// long as some ten pairs.
+constexpr std::size_t kPiecesAPart = 4;
+
+// Several workers find pieces of the pairs, each into a list of its own.
 void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep_s) {
   FastContacts& fast = scratch.fast;
   const std::size_t n = fast.pairs.size();
@@ -136,16 +140,21 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
   std::vector<ManifoldList>& lists = scratch.manifolds_by;  // find_manifolds is done with them
   std::vector<ManifoldPiece>& pieces = scratch.manifold_pieces;
   if (lists.size() < parts) lists.resize(parts);
-  pieces.assign(parts, {});
+  const std::size_t count = parts == 1 ? 1 : kPiecesAPart * parts;
+  pieces.assign(count, {});
   const ContactMemory& memory = fast.remembers ? fast.memory : state.contact_memory;
-  for_parts(scratch.workers, parts, [&](unsigned part) {
-    const std::size_t begin = n * part / parts, count = n * (part + 1) / parts - begin;
-    ManifoldList& list = parts == 1 ? fast.found : lists[part];
-    build_fast_manifolds(
-        state, scratch, substep_s,
-        {std::span(fast.pairs).subspan(begin, count), std::span(fast.approaches).subspan(begin, count), memory}, list);
-    pieces[part].worker = part;
-    pieces[part].end = {list.manifolds.size(), list.points.size(), 0};
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    ManifoldList& list = parts == 1 ? fast.found : lists[worker.part];
+    list.clear();
+    SharedBlocks(scratch.blocks_left, worker.share(count), worker).take_all([&](std::size_t k) {
+      const std::size_t begin = n * k / count, here = n * (k + 1) / count - begin;
+      pieces[k].worker = worker.part;
+      pieces[k].begin = {list.manifolds.size(), list.points.size(), 0};
+      const FastRange range = {std::span(fast.pairs).subspan(begin, here),
+                               std::span(fast.approaches).subspan(begin, here), memory};
+      if (here > 0) build_fast_manifolds(state, scratch, substep_s, range, list);
+      pieces[k].end = {list.manifolds.size(), list.points.size(), 0};
+    });
   });
   if (parts > 1) {
     join_lists(pieces, std::span(lists).first(parts), scratch.workers, fast.found.manifolds, fast.found.points);
@@ -196,11 +205,21 @@ void leave_unmet(const Bodies& bodies, Workers* workers, FastContacts& fast) {
   });
   if (any == 0) return;
   const auto waiting = [&](BodyIndex i) { return i == kGround || !bodies.moves(i) || waits[fast.place[i]] != 0; };
-  std::size_t kept = 0;
-  std::uint32_t points = 0;
-  for (std::size_t k = 0; k < found.manifolds.size(); ++k) {
+  fast.unmet.resize(found.manifolds.size());
+  std::size_t kept = found.manifolds.size();
+  for_ranges(workers, found.manifolds.size(), kFastAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Manifold& m = found.manifolds[k];
+      const bool unmet = waiting(m.a) && waiting(m.b) && !touching_points(bodies, found, m).any;
+      fast.unmet[k] = unmet ? 1 : 0;
+      if (unmet) shared::lower(kept, k);
+    }
+  });
+  if (kept == found.manifolds.size()) return;
+  std::uint32_t points = found.manifolds[kept].first;
+  for (std::size_t k = kept; k < found.manifolds.size(); ++k) {
+    if (fast.unmet[k] != 0) continue;
     const Manifold& m = found.manifolds[k];
-    if (waiting(m.a) && waiting(m.b) && !touching_points(bodies, found, m).any) continue;
     const auto begin = found.points.begin() + m.first;
     std::copy(begin, begin + m.count, found.points.begin() + points);
     found.manifolds[kept] = m;

@@ -1,9 +1,12 @@
 #include "src/layered/solve/finish_motion.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/contact_memory.h"
 #include "src/layered/solve/fast_bodies.h"
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
+#include "src/world/body_columns.h"
+#include "src/world/for_bodies.h"
 #include "src/world/free_flight.h"
 #include "src/world/hash_on_the_way.h"
 
@@ -19,10 +22,9 @@ void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s
 }
 
 // Adds the contacts of fast pairs, as the last substep left them, to those that the step found.
-void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
+void add_fast_contacts(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
   if (fast.none()) return;
-  merge_contacts(memory, fast.memory);
   const std::size_t manifolds = scratch.manifolds.size(), layered = scratch.layered.size();
   const auto points = static_cast<std::uint32_t>(scratch.manifold_points.size());
   scratch.manifolds.resize(manifolds + fast.found.manifolds.size());
@@ -40,6 +42,16 @@ void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
       m.first += points;
     }
   });
+}
+
+// As check_moving, by several workers at a time.
+Status check_bodies(WorldState& state, Scratch& scratch) {
+  std::uint8_t any_beyond = 0;
+  const BodyColumns bodies = columns_of(state.bodies);
+  for_bodies(scratch, state.bodies.size(), [&](std::size_t begin, std::size_t end) {
+    if (!kernels(scratch.lanes).bodies.check(bodies, {begin, end})) mark(any_beyond);
+  });
+  return any_beyond == 0 ? Status() : check_moving(state.bodies, scratch.lanes);
 }
 
 void add_memory(const ContactMemory& memory, Hasher& hasher) {
@@ -64,11 +76,12 @@ Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
     }
     integrate_free(state, scratch.lanes, {begin, end}, scratch.in_contact.data(), dt_s);
   };
-  for_hashed_ranges(hasher, scratch.workers, bodies.size(), kBodiesAPart, kMotionsABlock, finish,
+  for_hashed_bodies(hasher, scratch, bodies.size(), kMotionsABlock, finish,
                     [&](std::size_t begin, std::size_t end) { add_motion(bodies, begin, end, *hasher); });
-  if (Status ok = check_moving(state.bodies, scratch.lanes); !ok.ok()) return ok;
-  remember_contacts(scratch.manifolds, scratch.manifold_points, scratch.workers, state.contact_memory);
-  add_fast_contacts(scratch, state.contact_memory);
+  if (Status ok = check_bodies(state, scratch); !ok.ok()) return ok;
+  remember_contacts(scratch.manifolds, scratch.manifold_points, scratch.fast.none() ? nullptr : &scratch.fast.memory,
+                    scratch.manifold_homes, scratch.workers, state.contact_memory);
+  add_fast_contacts(scratch);
   if (hasher != nullptr) add_memory(state.contact_memory, *hasher);
   return {};
 }

@@ -5,7 +5,7 @@
 
 #include "src/base/text.h"
 #include "src/kernels/kernels_by_width.h"
-#include "src/layered/order/share_sweeps.h"
+#include "src/layered/batch/share_sweeps.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
@@ -149,7 +149,7 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
     }
   };
   GatheredNumbers numbers(hasher);
-  for_hashed_ranges(hasher, scratch.workers, bodies.size(), kBodiesAPart, kBodiesABlock, move_bodies,
+  for_hashed_bodies(hasher, scratch, bodies.size(), kBodiesABlock, move_bodies,
                     [&](std::size_t begin, std::size_t end) { add_moved(bodies, scratch, begin, end, numbers); });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right

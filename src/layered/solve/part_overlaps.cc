@@ -5,15 +5,16 @@
 #include <utility>
 
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/batch/share_sweeps.h"
 #include "src/layered/islands/sweep_counts.h"
-#include "src/layered/order/share_sweeps.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
 #include "src/math/grid.h"
 #include "src/math/half_turn.h"
+#include "src/math/lift_cost.h"
+#include "src/world/for_bodies.h"
 #include "src/world/hash_on_the_way.h"
-#include "src/world/lift_cost.h"
 
 namespace tumble::sim {
 namespace {
@@ -26,12 +27,16 @@ void exchange_motions(Scratch& scratch, bool before) {
   Vec3Column &velocity = parting_velocity(scratch), &spin = parting_spin(scratch);
   std::vector<SolverBody>& bodies = scratch.solver_bodies;
   const Vec3 none = Vec3::Zero();
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  const auto exchange = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       velocity.set(i, std::exchange(bodies[i].velocity, before ? none : velocity[i]));
       spin.set(i, std::exchange(bodies[i].spin, before ? none : spin[i]));
     }
-  });
+  };
+  const std::size_t n = scratch.in_contact.size();
+  for_bodies(scratch, n, exchange);
+  for_ranges(scratch.workers, bodies.size() - n, kBodiesAPart,  // the ground's row, and those of copies
+             [&](std::size_t begin, std::size_t end) { exchange(n + begin, n + end); });
 }
 
 void begin(Scratch& scratch, const ContactWork& work) {
@@ -130,7 +135,7 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
     }
   };
   GatheredNumbers numbers(hasher);
-  for_hashed_ranges(hasher, scratch.workers, state.bodies.size(), kBodiesAPart, kBodiesABlock, move_bodies,
+  for_hashed_bodies(hasher, scratch, state.bodies.size(), kBodiesABlock, move_bodies,
                     [&](std::size_t begin, std::size_t end) { add_parting(state, scratch, begin, end, numbers); });
   return {};
 }

@@ -3,15 +3,16 @@
 #include <algorithm>
 
 #include "src/kernels/kernels_by_width.h"
-#include "src/layered/order/batch_contacts.h"
-#include "src/layered/order/layer_reach.h"
-#include "src/layered/order/share_sweeps.h"
+#include "src/layered/batch/batch_contacts.h"
+#include "src/layered/batch/layer_reach.h"
+#include "src/layered/batch/share_sweeps.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/order/update_sleeping.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
+#include "src/world/for_bodies.h"
 #include "src/world/hash_on_the_way.h"
 
 namespace tumble::sim {
@@ -35,21 +36,23 @@ void prepare_bodies(WorldState& state, Scratch& scratch, Hasher* hasher) {
   const std::size_t n = bodies.size();
   scratch.solver_bodies.resize(n + 1);
   scratch.solver_bodies[n] = {};
-  scratch.visits.moved.assign(n + 1, 0);
+  scratch.visits.moved.resize(n + 1);
+  scratch.visits.moved[n] = 0;
+  fill_bodies(scratch, n, scratch.visits.moved, 0U);
   const auto prepare = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
     }
   };
   GatheredNumbers numbers(hasher);
-  for_hashed_ranges(hasher, scratch.workers, n, kBodiesAPart, kBodiesABlock, prepare,
+  for_hashed_bodies(hasher, scratch, n, kBodiesABlock, prepare,
                     [&](std::size_t begin, std::size_t end) { add_solver_bodies(scratch, begin, end, numbers); });
 }
 
 void find_in_contact(WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   scratch.in_contact.resize(bodies.size());
-  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, bodies.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       scratch.in_contact[i] =
           bodies.moves(i) && scratch.graph.start[i] < scratch.graph.start[i + 1] ? kInContact : kFree;

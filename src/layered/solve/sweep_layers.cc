@@ -25,7 +25,11 @@ void sweep_together(Scratch& scratch, Task task) {
   const std::uint32_t now = scratch.visits.now;
   std::vector<std::vector<VisitScratch::Layer>>& layers = scratch.visits.layers;
   if (layers.size() < parts) layers.resize(parts);
-  for (unsigned part = 0; part < parts; ++part) layers[part].resize(scratch.visits.reach.size());
+  constexpr std::size_t kLine = 64 / sizeof(VisitScratch::Layer);
+  for (unsigned part = 0; part < parts; ++part) {
+    layers[part].reserve(scratch.visits.reach.size() + 2 * kLine);  // nobody writes the last lines
+    layers[part].resize(scratch.visits.reach.size());
+  }
   work_together(scratch.workers, parts, [&](const Worker& worker) {
     renew_copies(scratch, worker);
     worker.meet();

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "src/kernels/kernels_by_width.h"
-#include "src/layered/order/share_sweeps.h"
+#include "src/layered/batch/share_sweeps.h"
 #include "src/layered/solve/contact_batches.h"
 
 namespace tumble::sim {

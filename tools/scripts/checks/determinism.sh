@@ -142,20 +142,20 @@ rm -rf "$out/units" && mkdir "$out/units"
 printf '%s\n' tests/determinism/main.cc src/threads/worker_threads.cc src/base/{check,large_vector,text,utf8}.cc >"$out/sources" # not physics
 export TUMBLE_DETERMINISM_OTHERS
 TUMBLE_DETERMINISM_OTHERS=$(wc -l <"$out/sources")
-add_units small src/base/hash*.cc src/{math,model,step}/*.cc # one unit, for most of its time goes into the headers
+add_units small src/base/hash*.cc src/{sharing,math,model,step}/*.cc # one unit, for most of its time goes into the headers
 mapfile -t any_width < <(find src/kernels -name '*.cc' ! -name kernels.cc | sort)
 add_units kernels "${any_width[@]}"
 for lanes in 1 2 4 8; do # of widths for which a row's flags allow no instructions nothing is left
   printf '#define TUMBLE_LANES %d\n#include "src/kernels/kernels.cc"\n' "$lanes" >"$out/units/kernels_$lanes.cc"
   printf '%s\n' "$out/units/kernels_$lanes.cc" >>"$out/sources"
 done
-for folder in world collide thesis thesis/ground layered/find layered/islands layered/order layered/solve scenes; do
+for folder in world collide thesis thesis/ground layered/find layered/islands layered/order layered/batch layered/solve scenes; do
   add_units "${folder//\//_}" src/"$folder"/*.cc
 done
 for folder in src/*/ src/*/*/; do # a folder that came since would be missed without a word
   case "$folder" in
-    src/base/ | src/math/ | src/model/ | src/kernels/* | src/step/ | src/world/ | src/collide/ | src/thesis/ | src/thesis/ground/) ;;
-    src/layered/ | src/layered/find/ | src/layered/islands/ | src/layered/order/ | src/layered/solve/ | src/scenes/ | src/files/ | src/process/ | src/threads/ | src/render/*) ;;
+    src/base/ | src/sharing/ | src/math/ | src/model/ | src/kernels/* | src/step/ | src/world/ | src/collide/ | src/thesis/ | src/thesis/ground/) ;;
+    src/layered/ | src/layered/find/ | src/layered/islands/ | src/layered/order/ | src/layered/batch/ | src/layered/solve/ | src/scenes/ | src/files/ | src/process/ | src/threads/ | src/render/*) ;;
     *) printf 'determinism: %s is not compiled; add it to the list\n' "$folder" >&2; exit 2 ;;
   esac
 done

@@ -1,8 +1,9 @@
-#include "src/layered/order/layer_reach.h"
+#include "src/layered/batch/layer_reach.h"
 
 #include <algorithm>
 
 #include "src/layered/order/contact_graph.h"
+#include "src/world/for_bodies.h"
 
 namespace tumble::sim {
 namespace {
@@ -23,7 +24,7 @@ void extend(Reach& reach, const Reach& by) {
 void find_reach_of_bodies(Scratch& scratch) {
   std::vector<Reach>& reach_of_body = scratch.visits.reach_of_body;
   reach_of_body.resize(scratch.in_contact.size());
-  for_ranges(scratch.workers, reach_of_body.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+  for_bodies(scratch, reach_of_body.size(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       Reach& reach = reach_of_body[i] = {};
       for_ends(scratch.graph, i, [&](const ContactEnd& contact) {

@@ -1,4 +1,4 @@
-#include "src/layered/order/batch_contacts.h"
+#include "src/layered/batch/batch_contacts.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "src/base/check.h"
-#include "src/base/key_counts.h"
+#include "src/layered/batch/cut_layers.h"
+#include "src/layered/batch/share_layer.h"
 #include "src/layered/islands/awake_links.h"
-#include "src/layered/order/share_layer.h"
 #include "src/math/grid.h"
+#include "src/sharing/key_counts.h"
 
 namespace tumble::sim {
 namespace {
@@ -239,7 +240,8 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
                   std::span<const ManifoldPoint> points, Scratch& scratch, ContactBatches& all) {
   Workers* const workers = scratch.workers;
   Grouping grouping(layers, manifolds, all);
-  const unsigned parts = part_count(workers, all.batches.size(), kBatchesAPart);
+  const bool shared = !layers.of_fast_pairs && start_shares(state, scratch, layers.count(), all.batches.size());
+  const unsigned parts = shared ? scratch.shares.parts : part_count(workers, all.batches.size(), kBatchesAPart);
   make_outcomes(scratch, grouping.widest());
   all.touched.resize(2 * all.order.size());
   all.entries.resize(2 * all.order.size());
@@ -252,11 +254,19 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
     grouping.place_batches(batches);
     worker.meet();
     if (worker.first()) grouping.place_points();
+    if (shared) cut_layers(state, scratch, worker);
     worker.meet();
     Filling filling(state, scratch, layers, manifolds, points, all);
-    for (std::size_t k = batches.begin; k < batches.end; ++k) {
-      all.batches[k].first = all.counts[k];
-      filling.fill(all.batches[k], all.sides[k]);
+    const auto fill = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        all.batches[k].first = all.counts[k];
+        filling.fill(all.batches[k], all.sides[k]);
+      }
+    };
+    if (shared) {
+      for_own_batches(scratch, worker, fill);  // so that their lines stay with who solves them
+    } else {
+      fill(batches.begin, batches.end);
     }
     worker.meet();
     all.uses[worker.part].resize(state.bodies.size());

@@ -1,4 +1,4 @@
-#include "src/layered/order/share_layer.h"
+#include "src/layered/batch/share_layer.h"
 
 namespace tumble::sim {
 namespace {

@@ -5,26 +5,17 @@
 #include <cstdint>
 #include <span>
 
+#include "src/layered/batch/cut_layers.h"
 #include "src/world/hash_on_the_way.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 
-/// Gives each batch to the worker who solves it in every sweep of the step: a piece of each layer, cut across the axis
-/// that the fewest contacts cross. A body of several workers' batches gets a row of its own for each of them (a copy
-/// behind the ground's row), and the sides of the batches then name those. Written before the batches are prepared.
+/// Gives a body of several workers' batches a row of its own for each of them (a copy behind the ground's row); the
+/// sides of the batches then name those. Bodies are at home with their workers. Written before the batches are
+/// prepared.
 void share_sweeps(const WorldState& state, Scratch& scratch);
-
-/// Calls visit(begin, end) for the runs of numbers that follow one another.
-template <class Visit>
-void for_runs(std::span<const std::uint32_t> numbers, Visit visit) {
-  for (std::size_t k = 0; k < numbers.size();) {
-    const std::uint32_t begin = numbers[k];
-    for (++k; k < numbers.size() && numbers[k] == numbers[k - 1] + 1; ++k) continue;
-    visit(begin, numbers[k - 1] + 1);
-  }
-}
 
 /// The row of a body for a worker who uses it.
 inline std::uint32_t row_for(const SweepShares& shares, BodyIndex i, unsigned worker) {
@@ -41,11 +32,7 @@ void for_shared_batches(Scratch& scratch, Visit visit) {
   if (shares.parts == 1) {
     return for_ranges(scratch.workers, scratch.contact_batches.batches.size(), kBatchesAPart, visit);
   }
-  work_together(scratch.workers, shares.parts, [&](const Worker& worker) {
-    for (std::size_t layer = 0; layer < scratch.contact_batches.touched_start.size(); ++layer) {
-      for_runs(shares.batches_of(layer, worker.part), visit);
-    }
-  });
+  work_together(scratch.workers, shares.parts, [&](const Worker& worker) { for_own_batches(scratch, worker, visit); });
 }
 /// Likewise; with a hasher one block after the other, each followed by hash(begin, end).
 template <class Visit, class Hash>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,12 +21,11 @@ class SharedBlocks {
     std::uint64_t left = 0;
   };
 
-  /// In the task of a round each worker makes one. memory: that of all workers.
-  SharedBlocks(std::vector<Range>& memory, std::size_t blocks, const Worker& worker) : worker_(worker) {
+  /// In the task of a round each worker makes one. memory: that of all workers. own: the blocks of this one.
+  SharedBlocks(std::vector<Range>& memory, const Worker::Share& own, const Worker& worker) : worker_(worker) {
     if (worker.first() && memory.size() < worker.parts) memory.resize(worker.parts);
     worker.meet();
     all_ = memory.data();
-    const Worker::Share own = worker.share(blocks);
     all_[worker.part].left = range(own.begin, own.end);
     worker.meet();
   }
@@ -59,5 +59,17 @@ class SharedBlocks {
   Worker worker_;
   Range* all_ = nullptr;
 };
+
+/// As for_ranges, in blocks of some items that workers take over from each other. memory: of SharedBlocks.
+template <class Visit>
+void for_shared_blocks(Workers* workers, std::vector<SharedBlocks::Range>& memory, std::size_t items, std::size_t least,
+                       std::size_t block, Visit visit) {
+  const std::size_t blocks = (items + block - 1) / block;
+  work_together(workers, part_count(workers, items, least), [&](const Worker& worker) {
+    SharedBlocks(memory, worker.share(blocks), worker).take_all([&](std::size_t k) {
+      visit(k * block, std::min(items, (k + 1) * block));
+    });
+  });
+}
 
 }  // namespace tumble

@@ -1,4 +1,4 @@
-#include "src/world/lift_cost.h"
+#include "src/math/lift_cost.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,56 +1,27 @@
-#include "src/layered/order/share_sweeps.h"
+#include "src/layered/batch/share_sweeps.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 
-#include "src/layered/order/batch_contacts.h"
+#include "src/layered/batch/cut_layers.h"
 
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kSweepBatches = 48;  // of all layers, that pay for one more worker
-constexpr unsigned kSharesMost = 64;       // workers: a bit each in SweepShares::users
-constexpr std::size_t kSamples = 1024;     // contacts that choose the axis
-
-// Of contacts all over the scene: the axis across which a cut meets the fewest of them.
-int axis_to_cut(const Bodies& bodies, const ContactBatches& all) {
-  double low[3], high[3], crossed[3] = {};
-  std::fill_n(low, 3, std::numeric_limits<double>::max());
-  std::fill_n(high, 3, std::numeric_limits<double>::lowest());
-  const std::size_t step = 1 + all.batches.size() / kSamples;
-  for (std::size_t k = 0; k < all.batches.size(); k += step) {
-    const std::uint32_t a = all.sides[k].a[0], b = all.sides[k].b[0];
-    const bool both = a < bodies.size() && bodies.moves(a) && bodies.moves(b);
-    const Vec3 x = bodies.position[b], way = both ? Vec3(bodies.position[a] - x) : Vec3(Vec3::Zero());
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], x[axis]);
-      high[axis] = std::max(high[axis], x[axis]);
-      crossed[axis] += std::fabs(way[axis]);
-    }
-  }
-  const auto cuts = [&](int axis) { return (crossed[axis] + 1e-9) / (high[axis] - low[axis] + 1e-9); };
-  int best = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (cuts(axis) < cuts(best)) best = axis;
-  }
-  return best;
-}
+constexpr std::size_t kSettled = 32;  // bodies, of which one may move without their homes being found anew
 
 // What one of the workers does to share the sweeps.
 class SharesBuilder {
  public:
-  SharesBuilder(const WorldState& state, Scratch& scratch, const Worker& worker, int axis)
+  SharesBuilder(const WorldState& state, Scratch& scratch, const Worker& worker)
       : bodies_(state.bodies),
         scratch_(scratch),
         all_(scratch.contact_batches),
         shares_(scratch.shares),
         worker_(worker),
-        axis_(axis),
+        axis_(scratch.shares.axis),
         own_(worker.share_groups(all_.layer_start)),
         places_(scratch.shares.places[worker.part]) {}
 
@@ -58,10 +29,10 @@ class SharesBuilder {
     const Worker::Share rows = worker_.share(bodies_.size());
     std::fill(shares_.users.begin() + static_cast<std::ptrdiff_t>(rows.begin),
               shares_.users.begin() + static_cast<std::ptrdiff_t>(rows.end), std::uint64_t{0});
-    for (auto layer = static_cast<std::uint32_t>(own_.begin); layer < own_.end; ++layer) cut_layer(layer);
     worker_.meet();
     find_users();
     worker_.meet();
+    find_homes(rows);
     place_copies(rows);
     worker_.meet();
     name_rows();
@@ -71,42 +42,6 @@ class SharesBuilder {
 
  private:
   [[nodiscard]] std::uint32_t layers() const { return static_cast<std::uint32_t>(all_.touched_start.size()); }
-
-  [[nodiscard]] double place_of_batch(std::uint32_t k) const {
-    const BatchSides& sides = all_.sides[k];
-    return bodies_.position[sides.b[0]][axis_] + bodies_.position[sides.b[all_.batches[k].used - 1]][axis_];
-  }
-
-  // Gives every worker as many batches of a layer, side by side.
-  void cut_layer(std::uint32_t layer) {
-    const std::uint32_t begin = all_.layer_start[layer], count = all_.layer_start[layer + 1] - begin;
-    const unsigned parts = worker_.parts;
-    // Worker w has the ranks r with (2 r + 1) parts / (2 count) = w, so that few batches lie in the middle of a share.
-    std::array<std::uint32_t, kSharesMost + 1> from{};
-    for (std::uint64_t w = 0; w <= parts; ++w) {
-      from[w] = static_cast<std::uint32_t>((2 * w * count + parts - 1) / (2 * parts));
-    }
-    for (unsigned w = 0; w < parts; ++w) shares_.first[std::size_t{layer} * parts + w] = begin + from[w];
-    places_.clear();
-    for (std::uint32_t k = begin; k < begin + count; ++k) places_.emplace_back(place_of_batch(k), k);
-    std::uint32_t* const own = shares_.order.data() + begin;
-    if (std::ranges::is_sorted(places_)) {
-      std::iota(own, own + count, begin);
-      return;
-    }
-    // The first place of each share; then the batches go to their shares, and stay in order there.
-    std::array<std::pair<double, std::uint32_t>, kSharesMost> cuts;
-    places_.insert(places_.end(), places_.begin(), places_.end());
-    const auto ranked = places_.begin() + count;
-    for (unsigned w = 1; w < parts; ++w) {
-      if (from[w] < count) std::nth_element(ranked + from[w - 1], ranked + from[w], places_.end());
-      cuts[w - 1] = from[w] < count ? ranked[from[w]] : std::pair(std::numeric_limits<double>::max(), 0U);
-    }
-    for (std::uint32_t r = 0; r < count; ++r) {
-      const auto w = std::upper_bound(cuts.begin(), cuts.begin() + (parts - 1), places_[r]) - cuts.begin();
-      own[from[static_cast<std::size_t>(w)]++] = places_[r].second;
-    }
-  }
 
   // Calls visit(row) for both sides of a batch's manifolds, where the body moves.
   template <class Visit>
@@ -125,6 +60,30 @@ class SharesBuilder {
     for (std::uint32_t layer = 0; layer < layers(); ++layer) {
       for (const std::uint32_t k : shares_.batches_of(layer, worker_.part)) for_sides(k, use);
     }
+  }
+
+  // Where a body is at home: with the first of its users; without contact, where they cut the largest layer.
+  [[nodiscard]] std::uint8_t home_of(std::size_t i) const {
+    const std::uint64_t users = shares_.users[i];
+    if (users != 0) return static_cast<std::uint8_t>(std::countr_zero(users));
+    const auto cuts = shares_.cuts.begin(), end = cuts + (worker_.parts - 1);
+    return static_cast<std::uint8_t>(std::upper_bound(cuts, end, 2 * bodies_.position[i][axis_]) - cuts);
+  }
+  // Settles the bodies anew where many of a worker's range have moved.
+  void find_homes(const Worker::Share& rows) {
+    std::size_t moved = 0;
+    for (std::size_t i = rows.begin; i < rows.end; ++i) moved += home_of(i) != shares_.home[i] ? 1U : 0U;
+    const bool new_bodies = shares_.settled_parts != worker_.parts || shares_.settled_bodies != bodies_.size();
+    if (!worker_.meet(new_bodies || moved * kSettled > rows.end - rows.begin)) return;
+    for (std::size_t i = rows.begin; i < rows.end; ++i) shares_.home[i] = home_of(i);
+    worker_.meet();
+    if (worker_.first()) settle();
+  }
+
+  void settle() {
+    scratch_.homes.settle(shares_.home, worker_.parts, *scratch_.workers);
+    shares_.settled_parts = worker_.parts;
+    shares_.settled_bodies = shares_.home.size();
   }
 
   static std::uint32_t copies_of(std::uint64_t users) {
@@ -233,7 +192,7 @@ class SharesBuilder {
   Worker worker_;
   int axis_;
   Worker::Share own_;  // layers
-  std::vector<std::pair<double, std::uint32_t>>& places_;
+  OwnList<std::pair<double, std::uint32_t>>& places_;
 };
 
 void copy_body(Scratch& scratch, std::size_t k) {
@@ -245,29 +204,9 @@ void copy_body(Scratch& scratch, std::size_t k) {
 }  // namespace
 
 void share_sweeps(const WorldState& state, Scratch& scratch) {
-  SweepShares& shares = scratch.shares;
-  ContactBatches& all = scratch.contact_batches;
-  shares.copies.clear();
-  shares.parts = 1;
-  if (scratch.layers != nullptr) return;  // whoever looks at layers wants the rows of bodies
-  shares.parts = std::min(kSharesMost, part_count(scratch.workers, all.batches.size(), kSweepBatches));
-  if (shares.parts == 1) return;
-  const std::size_t n = state.bodies.size(), pieces = all.touched_start.size() * shares.parts;
-  shares.rows = static_cast<std::uint32_t>(n + 1);
-  shares.order.resize(all.batches.size());
-  shares.first.resize(pieces + 1);
-  shares.first.back() = static_cast<std::uint32_t>(all.batches.size());
-  shares.users.resize(n);
-  shares.copies_before.resize(n);
-  shares.counts.assign(shares.parts + 1, 0);
-  shares.heirs.resize(pieces);
-  shares.urgent.resize(pieces);
-  shares.touched_first.resize(pieces + 1);
-  make_outcomes(scratch, all.batches.size());  // workers are not all in one layer
-  if (shares.places.size() < shares.parts) shares.places.resize(shares.parts);
-  const int axis = axis_to_cut(state.bodies, all);
-  work_together(scratch.workers, shares.parts,
-                [&](const Worker& worker) { SharesBuilder(state, scratch, worker, axis).build(); });
+  if (scratch.shares.parts == 1) return;
+  work_together(scratch.workers, scratch.shares.parts,
+                [&](const Worker& worker) { SharesBuilder(state, scratch, worker).build(); });
 }
 
 void renew_copies(Scratch& scratch, const Worker& worker) {

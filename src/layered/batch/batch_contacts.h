@@ -13,10 +13,4 @@ void batch_contacts(const WorldState& state, Scratch& scratch);
 /// are hard.
 void batch_fast_contacts(const WorldState& state, Scratch& scratch);
 
-/// Room for the outcomes of so many batches. Rows that are there already keep their values: nobody reads a row that has
-/// not been written for the same layer.
-inline void make_outcomes(Scratch& scratch, std::size_t batches) {
-  if (scratch.outcomes.size() < batches * kLanes * 2) scratch.outcomes.resize(batches * kLanes * 2);
-}
-
 }  // namespace tumble::sim
