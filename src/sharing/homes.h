@@ -23,8 +23,8 @@ class Homes {
 
   void clear() { first_.clear(); }
 
-  /// Takes ranges that make up [0, items), ascending, of workers < parts. Keeps none where they are too short, or their
-  /// workers have too uneven shares, to pay.
+  /// Takes ranges that make up [0, items), ascending, of workers < parts, at least 2 and at most 256. Keeps none where
+  /// they are too short, or the shares of workers too uneven, to pay.
   void settle(std::span<const Range> ranges, std::size_t items, unsigned parts, const Workers& workers);
   /// Likewise the worker of each item.
   void settle(std::span<const std::uint8_t> worker_of, unsigned parts, const Workers& workers);
@@ -42,12 +42,13 @@ class Homes {
   /// The worker of an item. Precondition: settle() was told the worker of each.
   [[nodiscard]] unsigned worker_of(std::size_t item) const { return worker_of_[item]; }
 
-  /// The number of workers who treat so many items; 1 if each of several would have fewer than `least`.
+  /// The number of workers who treat so many items: 1 if each of several would have fewer than `least`; all who have
+  /// homes, unless each would have less than half of it.
   [[nodiscard]] unsigned parts_for(const Workers* workers, std::size_t items, std::size_t least) const {
     const unsigned parts = part_count(workers, items, least);
     if (parts == 1 || first_.empty()) return parts;
     const auto settled = static_cast<unsigned>(first_.size() - 1);
-    return settled <= workers->count() && fit(items, settled) ? settled : parts;
+    return settled <= workers->count() && settled <= 2 * parts && fit(items, settled) ? settled : parts;
   }
 
   /// Calls visit(begin, end, slot) for the items of one of the workers of a round. Slots ascend with the items, and are
@@ -81,7 +82,8 @@ class Homes {
 
   /// Bytes.
   [[nodiscard]] std::size_t held() const {
-    return (all_.capacity() + ranges_.capacity()) * sizeof(Range) + worker_of_.capacity();
+    return (all_.capacity() + ranges_.capacity()) * sizeof(Range) + worker_of_.capacity() +
+           (first_.capacity() + next_.capacity()) * sizeof(std::uint32_t) + loads_.capacity() * sizeof(std::size_t);
   }
 
  private:

@@ -12,6 +12,7 @@ constexpr int kPolls = 4000;  // some 50 µs: longer than most work between two 
 
 constexpr int kEagerPolls = 200;  // without a pause: a neighbour's post mostly comes within its next batch
 
+constexpr int kYields = 200;  // to other threads, where there are more of them than processors
 constexpr std::chrono::microseconds kNap(20);
 
 void pause_processor() {
@@ -24,6 +25,17 @@ void pause_processor() {
 // while others still read the flag of this one, but not at the one after that.
 constexpr unsigned kFlags = 2;
 constexpr std::uint32_t flag_of(std::uint32_t meeting) { return 1U << (meeting & 1U); }
+// Waits until done(): others are at work on the same round. A worker that waits for long has taken the processor of
+// another one, so it gives it away; with a nap it comes back late.
+template <class Done>
+void give_way(Done done) {
+  for (int k = 0; k < kYields; ++k) {
+    if (done()) return;
+    std::this_thread::yield();
+  }
+  while (!done()) std::this_thread::sleep_for(kNap);
+}
+
 // Numbers of meetings wrap around.
 constexpr bool has_arrived(std::uint32_t at, std::uint32_t meeting) {
   return static_cast<std::int32_t>(at - (meeting << kFlags)) >= 0;
@@ -79,10 +91,10 @@ bool WorkerThreads::meet(unsigned part, bool any) {
   return any;
 }
 
-// The others are at work on the same round. A worker that waits for long has taken the processor of another one.
 void WorkerThreads::wait_for(const Place& place, std::uint32_t meeting) const {
-  for (int k = 0; k < polls_ && !has_arrived(place.at.load(std::memory_order_acquire), meeting); ++k) pause_processor();
-  while (!has_arrived(place.at.load(std::memory_order_acquire), meeting)) std::this_thread::sleep_for(kNap);
+  const auto arrived = [&] { return has_arrived(place.at.load(std::memory_order_acquire), meeting); };
+  for (int k = 0; k < polls_ && !arrived(); ++k) pause_processor();
+  give_way(arrived);
 }
 
 void WorkerThreads::post(unsigned part, std::uint32_t number) {
@@ -96,7 +108,10 @@ std::uint32_t WorkerThreads::await(unsigned /*part*/, unsigned other, std::uint3
     if (k >= kEagerPolls) pause_processor();
     last = post.load(std::memory_order_acquire);
   }
-  for (; last < number; last = post.load(std::memory_order_acquire)) std::this_thread::sleep_for(kNap);
+  give_way([&] {
+    last = post.load(std::memory_order_acquire);
+    return last >= number;
+  });
   return last;
 }
 

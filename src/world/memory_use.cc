@@ -91,7 +91,7 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});
   parts.push_back({"batches", GrowsWith::kContacts,
-                   held_by(s.contact_batches, s.outcomes, s.fast, shares.order, shares.first, shares.heirs,
+                   held_by(s.contact_batches, s.outcomes, s.fast, shares.order, shares.first, shares.heirs, shares.cuts,
                            shares.urgent, shares.copies, shares.touched, shares.touched_first, shares.counts) +
                        held_inside(shares.places)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,

@@ -12,6 +12,7 @@
 #include "tumble/sim/ids.h"
 #include "tumble/sim/manifold.h"
 #include "tumble/sim/vec.h"
+#include "tumble/sim/workers.h"
 #include "tumble/sim/world_state.h"
 
 /// Memory of single phases while they run; parts of Scratch, so that a warm step does not allocate. Another phase reads
@@ -50,10 +51,10 @@ struct ManifoldPiece {
   struct Sizes {
     std::size_t manifolds = 0, points = 0, fast_pairs = 0;
   };
-  std::uint32_t first = 0, last = 0;  ///< bodies, the last one not among them
-  MemoryPlace memory;                 ///< where the impulses of these begin
-  unsigned worker = 0;
-  Sizes begin, end;  ///< of the list, before and after
+  Worker::Share bodies;
+  MemoryPlace memory;   ///< where the impulses of these begin
+  unsigned worker = 0;  ///< with whom the bodies are at home; then who has found the manifolds
+  Sizes begin, end;     ///< of the list, before and after
 };
 
 inline std::span<ManifoldPoint> points_of(ManifoldList& list, const Manifold& m) {
@@ -153,7 +154,7 @@ struct WakeScratch {
 };
 
 /// Bodies in waves, as one worker pushes and treats them (waves.h).
-struct alignas(64) WaveScratch {
+struct alignas(128) WaveScratch {
   std::vector<BodyIndex> pushed[2];  ///< to waves of even and of odd numbers
   std::vector<BodyIndex> sent[2];    ///< likewise, of bodies at home with other workers
   std::vector<BodyIndex> taken;      ///< those that it treats, wave by wave
@@ -230,8 +231,8 @@ struct VisitScratch {
   std::vector<std::vector<Layer>> layers;  ///< by worker and layer; all workers note alike
 };
 
-/// Which worker solves which batches in the sweeps of a step (share_sweeps.h). A piece is what a worker has of a layer;
-/// pieces are numbered layer by layer, worker by worker.
+/// Which worker solves which batches in the sweeps of a step (cut_layers.h, share_sweeps.h). A piece is what a worker
+/// has of a layer; pieces are numbered layer by layer, worker by worker.
 struct SweepShares {
   unsigned parts = 1;                 ///< workers; with 1 the rest is old
   std::vector<std::uint32_t> order;   ///< batches, piece by piece; those with bodies of several workers first
@@ -248,7 +249,7 @@ struct SweepShares {
   int axis = 0;                              ///< across which the layers are cut
   unsigned settled_parts = 0;                ///< workers and bodies for which `home` was written
   std::size_t settled_bodies = 0;
-  std::vector<std::uint8_t> home;  ///< by body: the worker who treats it in all phases; kept from step to step
+  std::vector<std::uint8_t> home;  ///< by body: its worker when homes were last settled (Homes)
   std::vector<double> cuts;        ///< m, twice the places between the workers' shares of the largest layer
   std::vector<OwnList<std::pair<double, std::uint32_t>>> places;  ///< by worker: where the batches of a layer are
 

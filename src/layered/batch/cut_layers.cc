@@ -99,8 +99,9 @@ class Cutting {
     }
     // The first place of each share; then the batches go to their shares, and stay in order there.
     std::array<std::pair<double, std::uint32_t>, kSharesMost> cuts;
-    places_.insert(places_.end(), places_.begin(), places_.end());
+    places_.resize(std::size_t{2} * count);
     const auto ranked = places_.begin() + count;
+    std::copy_n(places_.begin(), count, ranked);
     for (unsigned w = 1; w < parts; ++w) {
       if (from[w] < count) std::nth_element(ranked + from[w - 1], ranked + from[w], places_.end());
       cuts[w - 1] = from[w] < count ? ranked[from[w]] : std::pair(kEnd, 0U);

@@ -10,7 +10,9 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kSettled = 32;  // bodies, of which one may move without their homes being found anew
+// Bodies, of which one may be with another worker than before: settling all anew takes as long as their lines travel
+// for some steps.
+constexpr std::size_t kSettled = 32;
 
 // What one of the workers does to share the sweeps.
 class SharesBuilder {

@@ -13,8 +13,8 @@
 namespace tumble::sim {
 
 /// Gives a body of several workers' batches a row of its own for each of them (a copy behind the ground's row); the
-/// sides of the batches then name those. Bodies are at home with their workers. Written before the batches are
-/// prepared.
+/// sides of the batches then name those. Finds homes of bodies anew where many have moved (Homes). Written
+/// before the batches are prepared.
 void share_sweeps(const WorldState& state, Scratch& scratch);
 
 /// The row of a body for a worker who uses it.

@@ -112,7 +112,7 @@ bool may_meet_if_hit(const Scratch& scratch, BodyIndex lo, BodyIndex hi, double 
 }
 
 void find_approaches(const WorldState& state, Scratch& scratch, double substep_s, std::vector<Approach>& out) {
-  constexpr std::size_t kAtOnce = 64;
+  constexpr std::size_t kAtOnce = kFastPairsAPart;  // lanes are full, and others may take over the next ones
   const FreePaths paths(state, scratch, substep_s);
   const double fall = falling_reach(state.def, substep_s);
   const std::vector<ContactPair>& pairs = scratch.fast.pairs;

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t kWorthPairs = 1024;  // and bodies, that pay for one more worker
 
-constexpr std::size_t kPiecesAPart = 16;  // of the bodies, if they lie side by side
+constexpr std::size_t kPiecesAPart =
+    16;  // of the bodies, if they lie side by side: few enough to join, and one is short
 
 // Cuts the bodies into pieces, ascending, and lists those of each worker. Returns where these begin.
 std::vector<std::uint32_t>& cut_bodies(const WorldState& state, Scratch& scratch, unsigned parts) {
@@ -31,12 +32,12 @@ std::vector<std::uint32_t>& cut_bodies(const WorldState& state, Scratch& scratch
       for (std::size_t k = 0; k < count; ++k) {
         ManifoldPiece& piece = pieces.emplace_back();
         piece.worker = part;
-        piece.first = static_cast<std::uint32_t>(begin + (end - begin) * k / count);
-        piece.last = static_cast<std::uint32_t>(begin + (end - begin) * (k + 1) / count);
+        piece.bodies.begin = begin + (end - begin) * k / count;
+        piece.bodies.end = begin + (end - begin) * (k + 1) / count;
       }
     });
   }
-  std::ranges::sort(pieces, {}, &ManifoldPiece::first);
+  std::ranges::sort(pieces, {}, [](const ManifoldPiece& piece) { return piece.bodies.begin; });
   std::vector<std::uint32_t>& start = scratch.pieces_start;
   start.assign(parts + 1, 0);
   for (const ManifoldPiece& piece : pieces) ++start[piece.worker + 1];
@@ -52,9 +53,10 @@ std::vector<std::uint32_t>& cut_bodies(const WorldState& state, Scratch& scratch
 void find_places(const WorldState& state, std::span<ManifoldPiece> pieces, const Worker& worker) {
   const ContactMemory& memory = state.contact_memory;
   const Worker::Share own = worker.share(pieces.size());
-  std::size_t begin = own.begin < own.end ? contacts_before(memory, {pieces[own.begin].first, 0}) : 0;
+  std::size_t begin = own.begin < own.end ? contacts_before(memory, {pieces[own.begin].bodies.begin, 0}) : 0;
   for (std::size_t k = own.begin; k < own.end; ++k) {
-    const std::size_t end = k + 1 == pieces.size() ? memory.size() : contacts_before(memory, {pieces[k + 1].first, 0});
+    const std::size_t end =
+        k + 1 == pieces.size() ? memory.size() : contacts_before(memory, {pieces[k + 1].bodies.begin, 0});
     const auto counts = memory.count.begin();
     pieces[k].memory = {begin, std::accumulate(counts + static_cast<std::ptrdiff_t>(begin),
                                                counts + static_cast<std::ptrdiff_t>(end), std::size_t{0})};
@@ -85,7 +87,10 @@ void find_together(const WorldState& state, Scratch& scratch, double dt_s, unsig
       ManifoldPiece& piece = pieces[scratch.pieces_by[k]];
       piece.worker = worker.part;
       piece.begin = sizes_of(list);
-      build_manifolds(state, scratch, dt_s, {piece.first, piece.last, piece.memory}, list, nullptr);
+      build_manifolds(
+          state, scratch, dt_s,
+          {static_cast<BodyIndex>(piece.bodies.begin), static_cast<BodyIndex>(piece.bodies.end), piece.memory}, list,
+          nullptr);
       piece.end = sizes_of(list);
     });
   });
@@ -133,6 +138,7 @@ void join(Scratch& scratch, unsigned parts) {
   join_lists(scratch.manifold_pieces, lists, scratch.workers, scratch.manifolds, scratch.manifold_points);
   std::vector<Homes::Range>& ranges = scratch.manifold_ranges;
   ranges.clear();
+  ranges.reserve(scratch.manifold_pieces.size());  // how many there are depends on who was quick
   std::uint32_t begin = 0;
   for (const ManifoldPiece& piece : scratch.manifold_pieces) {
     const auto end = static_cast<std::uint32_t>(begin + (piece.end.manifolds - piece.begin.manifolds));

@@ -68,7 +68,8 @@ std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const L
   return 2 * std::min(a, b) + (a == b ? 1U : 0U);
 }
 
-// Sorts the awake manifolds by layer; the layers of hard islands come behind the others. Each worker sorts a range.
+// Sorts the awake manifolds by layer; the layers of hard islands come behind the others. Each worker sorts those that
+// are at home with it; a slot is a range of these (Homes), or an even share.
 class Layers {
  public:
   // near_hard: for each body whether its island is hard; empty if none is.
@@ -132,6 +133,7 @@ class Layers {
       end += layers;
     }
     scratch_.layer_start.resize(end + 1);
+    scratch_.next_in_layer.reserve(std::max(slots, scratch_.manifold_pieces.size()) * row());
     scratch_.next_in_layer.assign(slots * row(), 0);
   }
   // From the counts of each slot, where its manifolds of each layer begin.

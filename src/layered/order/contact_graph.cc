@@ -47,6 +47,7 @@ class HomeLists {
 
   void list() {
     sent_.clear();
+    sent_.reserve(2 * graph_.links.size());  // so that a warm step allocates nothing
     for_own_bodies([&](const Homes::Range& range) {
       std::fill_n(graph_.start.begin() + range.begin + 1, range.end - range.begin, 0U);
     });

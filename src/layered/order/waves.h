@@ -17,7 +17,7 @@ namespace tumble::sim {
 /// they have depends on the workers, so no result may.
 class Waves {
  public:
-  /// bodies: the most that are pushed.
+  /// bodies: all of the world. homes: of these; where they fit, each worker treats its own.
   Waves(std::vector<WaveScratch>& memory, std::size_t bodies, const Homes& homes, const Worker& worker)
       : worker_(worker), homes_(homes.fit(bodies, worker.parts) ? &homes : nullptr) {
     if (worker.first() && memory.size() < worker.parts) memory.resize(worker.parts);

@@ -130,7 +130,7 @@ class PointsOfLane {
 
 // Pieces of the pairs that each of several workers has in the mean; finding where the impulses of one begin takes as
 // long as some ten pairs.
-constexpr std::size_t kPiecesAPart = 4;
+constexpr std::size_t kFastPiecesAPart = 4;
 
 // Several workers find pieces of the pairs, each into a list of its own.
 void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep_s) {
@@ -140,7 +140,7 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
   std::vector<ManifoldList>& lists = scratch.manifolds_by;  // find_manifolds is done with them
   std::vector<ManifoldPiece>& pieces = scratch.manifold_pieces;
   if (lists.size() < parts) lists.resize(parts);
-  const std::size_t count = parts == 1 ? 1 : kPiecesAPart * parts;
+  const std::size_t count = parts == 1 ? 1 : kFastPiecesAPart * parts;
   pieces.assign(count, {});
   const ContactMemory& memory = fast.remembers ? fast.memory : state.contact_memory;
   work_together(scratch.workers, parts, [&](const Worker& worker) {
@@ -158,6 +158,10 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
   });
   if (parts > 1) {
     join_lists(pieces, std::span(lists).first(parts), scratch.workers, fast.found.manifolds, fast.found.points);
+    for (ManifoldList& list : std::span(lists).first(parts)) {  // as find_manifolds does
+      reserve_anew(list.manifolds, fast.found.manifolds.size());
+      reserve_anew(list.points, fast.found.points.size());
+    }
   }
 }
 

@@ -36,9 +36,10 @@ void prepare_bodies(WorldState& state, Scratch& scratch, Hasher* hasher) {
   const std::size_t n = bodies.size();
   scratch.solver_bodies.resize(n + 1);
   scratch.solver_bodies[n] = {};
-  scratch.visits.moved.resize(n + 1);
-  scratch.visits.moved[n] = 0;
-  fill_bodies(scratch, n, scratch.visits.moved, 0U);
+  std::vector<std::uint32_t>& moved = scratch.visits.moved;
+  moved.reserve(n + 1);
+  fill_bodies(scratch, n, moved, 0U);
+  moved.push_back(0);  // of the ground
   const auto prepare = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));

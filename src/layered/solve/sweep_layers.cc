@@ -25,9 +25,9 @@ void sweep_together(Scratch& scratch, Task task) {
   const std::uint32_t now = scratch.visits.now;
   std::vector<std::vector<VisitScratch::Layer>>& layers = scratch.visits.layers;
   if (layers.size() < parts) layers.resize(parts);
-  constexpr std::size_t kLine = 64 / sizeof(VisitScratch::Layer);
+  constexpr std::size_t kLines = 128 / sizeof(VisitScratch::Layer);  // behind the last layer, which nobody writes
   for (unsigned part = 0; part < parts; ++part) {
-    layers[part].reserve(scratch.visits.reach.size() + 2 * kLine);  // nobody writes the last lines
+    layers[part].resize(scratch.visits.reach.size() + kLines);
     layers[part].resize(scratch.visits.reach.size());
   }
   work_together(scratch.workers, parts, [&](const Worker& worker) {
