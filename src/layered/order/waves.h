@@ -24,10 +24,13 @@ class Waves {
     worker.meet();
     all_ = std::span(memory).first(worker.parts);
     own_ = &memory[worker.part];
-    for (std::vector<BodyIndex>* const list :
-         {&own_->pushed[0], &own_->pushed[1], &own_->sent[0], &own_->sent[1], &own_->taken}) {
+    for (std::vector<BodyIndex>* const list : {&own_->pushed[0], &own_->pushed[1], &own_->taken}) {
       list->clear();
       list->reserve(bodies);  // so that a warm step allocates nothing
+    }
+    for (std::vector<BodyIndex>& sent : own_->sent) {
+      sent.clear();
+      if (homes_ != nullptr) sent.reserve(bodies);
     }
     own_->start.assign(1, 0);
   }
