@@ -256,7 +256,7 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
   found.look("transform", to_string(a.transform), to_string(b.transform));
   found.look("set", listed(a.overrides), listed(b.overrides));
   found.look("begins with", start_of(a), start_of(b));
-  found.add("planned steps", a.scene.steps, b.scene.steps, false);
+  if ((a.scene.steps == 0) == (b.scene.steps == 0)) found.add("planned steps", a.scene.steps, b.scene.steps, false);
   found.look("states", to_string(a.states), to_string(b.states));
   found.look("hashes", to_string(a.hashes), to_string(b.hashes));
   found.look("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);

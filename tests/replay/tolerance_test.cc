@@ -139,6 +139,14 @@ TEST(Zeros, OfAChangeOfAxesAreNoCause) {
   EXPECT_EQ(found.front().key, "body 10 mass");
 }
 
+TEST(Engines, ThatTellNoPlanHaveNoOther) {
+  LogHeader planned = header_for(small_scene(3)), open = planned;
+  open.scene.steps = 0;
+  EXPECT_TRUE(header_differences(planned, open).empty());
+  planned.scene.steps = 1 + (open.scene.steps = 5);
+  EXPECT_EQ(header_differences(planned, open).size(), 1U);
+}
+
 TEST(Engines, AreComparedByTheirStatesSoNoMethodIsTheCause) {
   const LogHeader ours = header_for(small_scene(3, sim::Method::kLayered));
   LogHeader theirs = header_for(small_scene(3));
