@@ -42,8 +42,9 @@ std::size_t SuiteResult::failed_cases() const {
 }
 
 std::size_t SuiteResult::failed(VerdictKind kind) const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      cases, [&](const CaseResult& c) { return !c.passed() && c.verdict(kind).outcome == Outcome::kFail; }));
+  return static_cast<std::size_t>(std::ranges::count_if(cases, [&](const CaseResult& c) {
+    return std::ranges::find(c.require, kind) != c.require.end() && c.verdict(kind).outcome == Outcome::kFail;
+  }));
 }
 
 std::size_t SuiteResult::with(Change change) const {

@@ -44,7 +44,7 @@ struct SuiteResult {
   /// Every case passed, the suite has no problem and every canary was caught. True for an empty shard.
   [[nodiscard]] bool passed() const;
   [[nodiscard]] std::size_t failed_cases() const;
-  /// Cases that failed and whose verdict did. A case that passed may have failed a verdict that it does not require.
+  /// Cases that require this verdict and failed it. A case may fail verdicts that it does not require.
   [[nodiscard]] std::size_t failed(VerdictKind kind) const;
   /// Cases with this change, passed or not.
   [[nodiscard]] std::size_t with(Change change) const;

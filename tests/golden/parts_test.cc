@@ -250,6 +250,11 @@ TEST(Report, JsonCountsTheVerdictsOfFailedCasesAsItsHeadlineDoes) {
   ASSERT_TRUE(result.passed()) << headline(result);
   EXPECT_EQ(result.cases.at(0).verdict(VerdictKind::kBehaviour).outcome, Outcome::kFail);
   EXPECT_EQ(report_json(result)["failed_verdicts"]["behaviour"], 0);
+  SuiteResult failed = result;
+  failed.cases.at(0).require = {VerdictKind::kBehaviour};
+  failed.cases.at(0).verdict(VerdictKind::kExact).outcome = Outcome::kFail;
+  EXPECT_EQ(report_json(failed)["failed_verdicts"]["behaviour"], 1);
+  EXPECT_EQ(report_json(failed)["failed_verdicts"]["exact"], 0) << "it does not decide";
 }
 
 }  // namespace
