@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "src/math/grid.h"
+#include "src/math/lift_cost.h"
 #include "src/thesis/split_mass.h"
 #include "src/world/body_check.h"
 #include "src/world/hash_on_the_way.h"
-#include "src/math/lift_cost.h"
 
 namespace tumble::sim {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "src/thesis/apply_outcomes.h"
 #include "src/math/lift_cost.h"
+#include "src/thesis/apply_outcomes.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
