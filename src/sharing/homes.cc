@@ -43,18 +43,18 @@ void Homes::settle(std::span<const Range> ranges, std::size_t items, unsigned pa
   }
 }
 
-void Homes::settle(std::span<const std::uint8_t> worker_of, unsigned parts, const Workers& workers) {
-  worker_of_.assign(worker_of.begin(), worker_of.end());
-  const std::size_t most = worker_of.size() / workers.worth(kShortest);
+void Homes::settle_told(unsigned parts, const Workers& workers) {
+  const std::size_t items = worker_of_.size(), most = items / workers.worth(kShortest);
+  told_parts_ = parts;
   all_.clear();
   all_.reserve(most + 1);
   clear();
-  for (std::uint32_t begin = 0, end = 0; begin < worker_of.size(); begin = end) {
+  for (std::uint32_t begin = 0, end = 0; begin < items; begin = end) {
     if (all_.size() > most) return;  // too short to pay
-    for (end = begin + 1; end < worker_of.size() && worker_of[end] == worker_of[begin]; ++end) continue;
-    all_.push_back({begin, end, worker_of[begin]});
+    for (end = begin + 1; end < items && worker_of_[end] == worker_of_[begin]; ++end) continue;
+    all_.push_back({begin, end, worker_of_[begin]});
   }
-  settle(all_, worker_of.size(), parts, workers);
+  settle(all_, items, parts, workers);
 }
 
 }  // namespace tumble

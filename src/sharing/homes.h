@@ -26,8 +26,15 @@ class Homes {
   /// Takes ranges that make up [0, items), ascending, of workers < parts, at least 2 and at most 256. Keeps none where
   /// they are too short, or the shares of workers too uneven, to pay.
   void settle(std::span<const Range> ranges, std::size_t items, unsigned parts, const Workers& workers);
-  /// Likewise the worker of each item.
-  void settle(std::span<const std::uint8_t> worker_of, unsigned parts, const Workers& workers);
+  /// Likewise from the worker of each item: begin(), then tell() for every item, by several workers at a time, then
+  /// settle_told().
+  void begin(std::size_t items) { worker_of_.resize(items); }
+  void tell(std::size_t item, unsigned worker) { worker_of_[item] = static_cast<std::uint8_t>(worker); }
+  void settle_told(unsigned parts, const Workers& workers);
+  /// Whether the workers of so many items were told last among so many, whether or not they pay.
+  [[nodiscard]] bool were_told(std::size_t items, unsigned parts) const {
+    return told_parts_ == parts && worker_of_.size() == items;
+  }
 
   /// Whether there are homes for so many items and workers.
   [[nodiscard]] bool fit(std::size_t items, unsigned parts) const {
@@ -39,7 +46,7 @@ class Homes {
   [[nodiscard]] std::span<const Range> of(unsigned worker) const {
     return std::span(ranges_).subspan(first_[worker], first_[worker + 1] - first_[worker]);
   }
-  /// The worker of an item. Precondition: settle() was told the worker of each.
+  /// The worker of an item. Precondition: it was told.
   [[nodiscard]] unsigned worker_of(std::size_t item) const { return worker_of_[item]; }
 
   /// The number of workers who treat so many items: 1 if each of several would have fewer than `least`; all who have
@@ -93,6 +100,7 @@ class Homes {
   std::vector<std::uint32_t> next_;      // by worker, while they are settled
   std::vector<std::size_t> loads_;       // likewise
   std::size_t items_ = 0;
+  unsigned told_parts_ = 0;
 };
 
 }  // namespace tumble

@@ -106,9 +106,8 @@ void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
     kept.manifolds.back().first = static_cast<std::uint32_t>(kept.points.size());
     kept.points.insert(kept.points.end(), points.begin(), points.end());
   }
-  ContactMemory found;
-  remember_contacts(kept.manifolds, kept.points, nullptr, {}, nullptr, found);
-  merge_contacts(state.contact_memory, found);
+  const ContactMemory before = state.contact_memory;
+  remember_contacts(kept.manifolds, kept.points, &before, {}, nullptr, state.contact_memory);
 }
 
 }  // namespace

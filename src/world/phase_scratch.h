@@ -247,10 +247,7 @@ struct SweepShares {
   std::vector<std::uint32_t> touched_first;  ///< by piece, in `touched`; one more at the end
   std::vector<std::uint32_t> counts;         ///< by worker, copies before its range of bodies
   int axis = 0;                              ///< across which the layers are cut
-  unsigned settled_parts = 0;                ///< workers and bodies for which `home` was written
-  std::size_t settled_bodies = 0;
-  std::vector<std::uint8_t> home;  ///< by body: its worker when homes were last settled (Homes)
-  std::vector<double> cuts;        ///< m, twice the places between the workers' shares of the largest layer
+  std::vector<double> cuts;                  ///< m, twice the places between the workers' shares of the largest layer
   std::vector<OwnList<std::pair<double, std::uint32_t>>> places;  ///< by worker: where the batches of a layer are
 
   [[nodiscard]] std::span<const std::uint32_t> batches_of(std::size_t layer, unsigned worker) const {

@@ -16,6 +16,13 @@
 namespace tumble::sim {
 namespace {
 
+void settle(Homes& homes, const std::vector<std::uint8_t>& of, unsigned parts, const Workers& workers) {
+  homes.begin(of.size());
+  for (std::size_t k = 0; k < of.size(); ++k) homes.tell(k, of[k]);
+  homes.settle_told(parts, workers);
+  EXPECT_TRUE(homes.were_told(of.size(), parts));
+}
+
 // By item, how often it was treated and by which worker last.
 struct Treated {
   explicit Treated(std::size_t items) : times(items), worker(items) {}
@@ -41,7 +48,7 @@ TEST(Homes, EachWorkerTreatsItsOwn) {
   WorkerThreads workers(3, Split::kEverything);
   const std::vector<std::uint8_t> wanted = {2, 2, 0, 1, 1, 1, 0, 0, 2};
   Homes homes;
-  homes.settle(wanted, 3, workers);
+  settle(homes, wanted, 3, workers);
   ASSERT_TRUE(homes.fit(wanted.size(), 3));
   EXPECT_EQ(treat(homes, workers, wanted.size(), 3).worker, wanted);
   EXPECT_EQ(homes.parts_for(&workers, wanted.size(), 1), 3U);
@@ -62,9 +69,9 @@ TEST(Homes, OfOtherItemsOrWorkersAreLeftAside) {
   Homes homes;
   const std::vector<std::uint8_t> even = {0, 0, 0, 1, 1, 1, 2, 2, 2};
   EXPECT_EQ(treat(homes, workers, 9, 3).worker, even) << "no homes";
-  homes.settle(std::vector<std::uint8_t>{2, 2, 0, 1, 1, 1, 0, 0}, 3, workers);
+  settle(homes, {2, 2, 0, 1, 1, 1, 0, 0}, 3, workers);
   EXPECT_EQ(treat(homes, workers, 9, 3).worker, even) << "of fewer items";
-  homes.settle(std::vector<std::uint8_t>{1, 1, 1, 0, 0, 0, 1, 0, 1}, 2, workers);
+  settle(homes, {1, 1, 1, 0, 0, 0, 1, 0, 1}, 2, workers);
   EXPECT_EQ(treat(homes, workers, 9, 3).worker, even) << "of fewer workers";
   WorkerThreads one(1, Split::kEverything);
   EXPECT_EQ(homes.parts_for(&one, 9, 1), 1U) << "workers who are gone";
@@ -79,7 +86,7 @@ TEST(Homes, AreKeptWhereTheyPay) {
     for (std::size_t k = 0; k < of.size(); ++k) of[k] = k / run % 10 < first ? 0 : 1;
     for (std::size_t k = 0; first == 5 && k < of.size(); ++k) of[k] = static_cast<std::uint8_t>(k / run % 2);
     Homes homes;
-    homes.settle(of, 2, workers);
+    settle(homes, of, 2, workers);
     return homes.fit(of.size(), 2);
   };
   EXPECT_TRUE(fits(32, 5));

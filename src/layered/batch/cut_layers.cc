@@ -139,7 +139,6 @@ bool start_shares(const WorldState& state, Scratch& scratch, std::size_t layers,
   shares.first.back() = static_cast<std::uint32_t>(batches);
   shares.users.resize(n);
   shares.copies_before.resize(n);
-  shares.home.resize(n);
   shares.cuts.resize(shares.parts - 1);
   shares.counts.assign(shares.parts + 1, 0);
   shares.heirs.resize(pieces);

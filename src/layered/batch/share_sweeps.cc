@@ -10,8 +10,8 @@
 namespace tumble::sim {
 namespace {
 
-// Bodies, of which one may be with another worker than before: settling all anew takes as long as their lines travel
-// for some steps.
+// Bodies, of which one may be with another worker than before: a line that travels costs less than all workers waiting
+// until one has settled the bodies anew.
 constexpr std::size_t kSettled = 32;
 
 // What one of the workers does to share the sweeps.
@@ -73,19 +73,17 @@ class SharesBuilder {
   }
   // Settles the bodies anew where many of a worker's range have moved.
   void find_homes(const Worker::Share& rows) {
+    Homes& homes = scratch_.homes;
+    const std::size_t n = bodies_.size();
+    const bool known = homes.were_told(n, worker_.parts);
     std::size_t moved = 0;
-    for (std::size_t i = rows.begin; i < rows.end; ++i) moved += home_of(i) != shares_.home[i] ? 1U : 0U;
-    const bool new_bodies = shares_.settled_parts != worker_.parts || shares_.settled_bodies != bodies_.size();
-    if (!worker_.meet(new_bodies || moved * kSettled > rows.end - rows.begin)) return;
-    for (std::size_t i = rows.begin; i < rows.end; ++i) shares_.home[i] = home_of(i);
+    for (std::size_t i = rows.begin; known && i < rows.end; ++i) moved += home_of(i) != homes.worker_of(i) ? 1U : 0U;
+    if (!worker_.meet(!known || moved * kSettled > rows.end - rows.begin)) return;
+    if (worker_.first()) homes.begin(n);
     worker_.meet();
-    if (worker_.first()) settle();
-  }
-
-  void settle() {
-    scratch_.homes.settle(shares_.home, worker_.parts, *scratch_.workers);
-    shares_.settled_parts = worker_.parts;
-    shares_.settled_bodies = shares_.home.size();
+    for (std::size_t i = rows.begin; i < rows.end; ++i) homes.tell(i, home_of(i));
+    worker_.meet();
+    if (worker_.first()) homes.settle_told(worker_.parts, *scratch_.workers);
   }
 
   static std::uint32_t copies_of(std::uint64_t users) {

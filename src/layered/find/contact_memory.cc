@@ -95,19 +95,4 @@ void remember_contacts(std::span<const Manifold> manifolds, std::span<const Mani
   });
 }
 
-// From the last contact to the first one that is added, so that each moves to a place that is free already.
-void merge_contacts(ContactMemory& memory, const ContactMemory& added) {
-  std::size_t old = memory.size(), fresh = added.size();
-  std::size_t old_point = memory.feature.size(), fresh_point = added.feature.size();
-  make_room(memory, old + fresh, old_point + fresh_point);
-  while (fresh > 0) {
-    const bool takes_old = old > 0 && pair_of(added, fresh - 1) < pair_of(memory, old - 1);
-    const ContactMemory& of = takes_old ? memory : added;
-    std::size_t &from = takes_old ? old : fresh, &from_point = takes_old ? old_point : fresh_point;
-    move_contact(of, from - 1, from_point, memory, old + fresh - 1, old_point + fresh_point);
-    --from;
-    from_point -= of.count[from];
-  }
-}
-
 }  // namespace tumble::sim

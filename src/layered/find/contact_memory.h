@@ -34,7 +34,4 @@ inline MemoryPlace memory_place(const ContactMemory& memory, BodyIndex first) {
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points,
                        const ContactMemory* added, const Homes& homes, Workers* workers, ContactMemory& memory);
 
-/// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both.
-void merge_contacts(ContactMemory& memory, const ContactMemory& added);
-
 }  // namespace tumble::sim

@@ -18,8 +18,7 @@ namespace {
 
 constexpr std::size_t kWorthPairs = 1024;  // and bodies, that pay for one more worker
 
-constexpr std::size_t kPiecesAPart =
-    16;  // of the bodies, if they lie side by side: few enough to join, and one is short
+constexpr std::size_t kPiecesAPart = 16;  // of the bodies, in the mean
 
 // Cuts the bodies into pieces, ascending, and lists those of each worker. Returns where these begin.
 std::vector<std::uint32_t>& cut_bodies(const WorldState& state, Scratch& scratch, unsigned parts) {

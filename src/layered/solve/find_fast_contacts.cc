@@ -128,8 +128,7 @@ class PointsOfLane {
   double acceleration_;
 };
 
-// Pieces of the pairs that each of several workers has in the mean; finding where the impulses of one begin takes as
-// long as some ten pairs.
+// Pieces of the pairs that each of several workers has in the mean; for each, one looks up where the impulses begin.
 constexpr std::size_t kFastPiecesAPart = 4;
 
 // Several workers find pieces of the pairs, each into a list of its own.
