@@ -91,6 +91,21 @@ TEST(BuildProgress, FindsTheLastCounterOfNinjaOrMake) {
   EXPECT_EQ(bisect::last_counter(""), "");
 }
 
+TEST(BuildProgress, FindsWhatABuildFailedFor) {
+  EXPECT_EQ(
+      bisect::failure_in("[1/2] Building a.o\nFAILED: a.o\nc++ -o a.o\na.cc:7:3: error: no b3Pos\na.cc:9:3: error: "
+                         "no b\nninja: build stopped: subcommand failed.\n"),
+      "a.cc:7:3: error: no b3Pos");
+  EXPECT_EQ(bisect::failure_in("ld: a.o: undefined reference to `b3Step'\ncollect2: error: ld returned 1\n"),
+            "ld: a.o: undefined reference to `b3Step'");
+  EXPECT_EQ(bisect::failure_in("-- gcc\nCMake Error at CMakeLists.txt:3 (add_subdirectory):\n\n  no folder x\n\n-- "
+                               "Configuring incomplete, errors occurred!\n"),
+            "CMake Error at CMakeLists.txt:3 (add_subdirectory): no folder x");
+  EXPECT_EQ(bisect::failure_in("make: nothing\nsh: 1: cmake: not found\n \n"), "sh: 1: cmake: not found");
+  EXPECT_EQ(bisect::failure_in("1 error generated\n"), "1 error generated");
+  EXPECT_EQ(bisect::failure_in("\n"), "");
+}
+
 TEST(BuildProgress, TellsTheTimeInMinutesAndSeconds) {
   EXPECT_EQ(bisect::elapsed_text(std::chrono::seconds(45)), "45 s");
   EXPECT_EQ(bisect::elapsed_text(std::chrono::seconds(780)), "13 min 0 s");

@@ -248,34 +248,5 @@ TEST(EngineCase, IsBlessedForEveryBitOnlyWhereASecondRunHasThem) {
   EXPECT_EQ(shop.run({"bless", "stack", "--reason", "a test", "--json"}).exit, 0);
 }
 
-/// A clone whose engine is a script; the second of three commits plants the fault.
-void make_history(const Workshop& shop) {
-  const std::string commits = "cd '" + shop.path("project") + R"('
-commit() {
-  printf '#!/bin/sh\nexec '"'"')" TUMBLE_TOY_ENGINE R"('"'"' "$@" %s\n' "$1" >toy.in
-  git add -A && git -c user.name=a -c user.email=a@b commit --allow-empty -qm "$2"
-}
-git init -q -b main && commit "" first && commit "" second && commit "--fault 9" faulty && commit "--fault 9 " last)";
-  shop.write("project/engine/tumble.toml",
-             "[engine]\nbuild = ['cp ../toy.in toy.sh', 'chmod +x toy.sh']\nrun = './toy.sh --log {log} --inputs "
-             "{inputs}'\n");
-  shop.write("project/.gitignore", "toy.sh\n");
-  ASSERT_EQ(std::system(("{ " + commits + "\n} >'" + shop.path("said") + "' 2>&1").c_str()), 0) << shop.read("said");
-}
-
-TEST(EngineProject, BisectBuildsAndRunsEachRevision) {
-  const Workshop shop;
-  make_history(shop);
-  record_toy(shop, "a.tumble");
-  const Outcome found = shop.run({"bisect", "--repo", "project/engine", "--good", "HEAD~3", "--bad", "HEAD", "a.tumble",
-                                  "--work", "work", "--json"});
-  EXPECT_EQ(found.exit, 1) << found.err;
-  EXPECT_EQ(parsed(found)["commit"]["subject"], "faulty");
-  EXPECT_EQ(parsed(found)["sessions"]["first"]["field"], "position.z");
-  const Outcome without = shop.run({"bisect", "--repo", "project", "--good", "HEAD~3", "--bad", "HEAD", "a.tumble"});
-  EXPECT_EQ(without.exit, 2);
-  EXPECT_TRUE(says(without.err, "there is no tumble.toml")) << without.err;
-}
-
 }  // namespace
 }  // namespace tumble::test

@@ -18,6 +18,7 @@ std::vector<std::string> given_of_commits(const BisectArguments& options) {
                                               {"--build", !options.build.empty()},
                                               {"--program", !options.program.empty()},
                                               {"--run", !options.run.empty()},
+                                              {"--scene", !options.scene.empty()},
                                               {"--timeout", options.timeout.has_value()},
                                               {"--work", !options.work.empty()},
                                               {"--jobs", options.jobs.has_value()},
@@ -68,6 +69,8 @@ void declare_building(Arguments& arguments, BisectArguments& options) {
       "--run", "COMMAND", options.run,
       "Instead of the program and of tumble.toml: a command of any engine that makes the log {log} of the scene "
       "{scene} and the inputs {inputs}");
+  arguments.option("--scene", "FILE", options.scene,
+                   "Another engine's {scene}: this file for every revision, in place of each revision's own");
   constexpr double kTimeoutMax = 1e6;
   arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
   arguments.option("--work", "DIR", options.work,
@@ -111,6 +114,9 @@ Status check_for_commits(const BisectArguments& options) {
   }
   if (!options.metric.empty() && !options.case_name.empty()) return bad_input("--metric: does not go with --case");
   if (!options.run.empty() && !options.case_name.empty()) return bad_input("--run: does not go with --case");
+  if (!options.scene.empty() && !options.case_name.empty()) {
+    return bad_input("--scene: does not go with --case, which names the scene of the case");
+  }
   if (!options.run.empty() && options.run.find("{log}") == std::string::npos) {
     return bad_input("--run: wanted {log} in the command line, where the log to write is put");
   }

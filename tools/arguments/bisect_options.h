@@ -24,6 +24,7 @@ struct BisectArguments {
   std::vector<std::string> build;
   std::string program;
   std::string run;
+  std::string scene;
   std::optional<double> timeout;
   std::string work;
   bool resume = false;

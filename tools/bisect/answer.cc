@@ -1,8 +1,11 @@
 #include "tools/bisect/answer.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "src/base/check.h"
+#include "tools/files/json_values.h"
+#include "tumble/replay/compare.h"
 
 namespace tumble::tools::bisect {
 
@@ -33,6 +36,32 @@ Answer answer_of(const std::vector<Answer>& answers) {
       std::to_string(yes) + " of " + std::to_string(answers.size()) + " times yes, " + std::to_string(no) + " times no";
   if (none > 0) answer.not_repeatable += ", " + std::to_string(none) + " times it could not be asked";
   return answer;
+}
+
+std::string differs_text(const Json& first) {
+  if (!first.is_object()) return "it differs";
+  const auto text = [&](const char* key) {
+    return text_in(first, key, member(first, key).dump(-1, ' ', false, Json::error_handler_t::replace));
+  };
+  std::string words = "differs from step " + text("step") + " on, phase " + text("phase");
+  if (!member(first, "body").is_null()) words += ", body " + text("body");
+  return words + ", " + text("field");
+}
+
+std::string same_text(const Json& report) {
+  const Json parts = member(report, "not_compared");
+  for (const Json& part : parts.is_array() ? parts : Json::array()) {
+    if (!part.is_string() || !part.get<std::string>().starts_with("phase hashes")) continue;
+    return "the same in every compared bit; not compared: " + part.get<std::string>();
+  }
+  return "the same in every bit";
+}
+
+std::string same_text(const replay::ComparisonScope& scope) {
+  std::string text = "the same in " + scope.every_bit();
+  const std::vector<std::string> parts = scope.passed_over();
+  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "; not compared: " : "; ") + parts[i];
+  return text;
 }
 
 }  // namespace tumble::tools::bisect

@@ -4,6 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "tools/output/text.h"
+
+namespace tumble::replay {
+struct ComparisonScope;
+}
+
 namespace tumble::tools::bisect {
 
 /// A revision's answer to the question.
@@ -29,5 +35,15 @@ Answer answer_of(const std::vector<Answer>& answers);
 
 /// Of a revision that cannot be asked.
 Answer skipped(const std::string& why);
+
+/// "differs from step 12 on, phase integrate, body 7, position.x" of the key "first" of a report that another version
+/// of this program may have written.
+std::string differs_text(const Json& first);
+
+/// Of a report of a replay that found no difference: hashes that it had none of are the part that matters.
+std::string same_text(const Json& report);
+
+/// "the same in every bit", or of what was compared, with what was passed over.
+std::string same_text(const replay::ComparisonScope& scope);
 
 }  // namespace tumble::tools::bisect

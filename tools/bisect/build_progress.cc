@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <utility>
@@ -35,7 +36,37 @@ std::string_view counter_of(std::string_view line) {
   return is_counter ? line.substr(0, close + 1) : std::string_view();
 }
 
+std::string_view trimmed(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+/// What compilers, linkers, make and cargo begin a reason with; ninja's "FAILED: a.o" is none.
+bool is_error(std::string_view line) {
+  constexpr std::array kSigns = {"error: ", "error:\t", "Error: ", "undefined reference to", "error["};
+  return std::ranges::any_of(kSigns, [&](const char* sign) { return line.find(sign) != std::string_view::npos; });
+}
+
 }  // namespace
+
+std::string failure_in(std::string_view output) {
+  std::string_view last, cmake;
+  while (!output.empty()) {
+    const std::size_t end = output.find('\n');
+    const std::string_view line = trimmed(output.substr(0, end));
+    if (line.starts_with("CMake Error") && cmake.empty()) {
+      cmake = line;
+    } else if (!line.empty()) {
+      if (!cmake.empty()) return std::string(cmake) + ' ' + std::string(line);
+      if (is_error(line)) return std::string(line);
+      last = line;
+    }
+    if (end == std::string_view::npos) break;
+    output.remove_prefix(end + 1);
+  }
+  return std::string(cmake.empty() ? last : cmake);
+}
 
 std::string last_counter(std::string_view output) {
   std::string_view last;

@@ -10,6 +10,10 @@ namespace tumble::tools::bisect {
 /// The last counter of ninja ("[12/260]") or make ("[ 12%]") at the start of a line; empty if there is none.
 std::string last_counter(std::string_view output);
 
+/// The line of a build's output that says why it failed: the first error of a compiler, linker or CMake (whose text
+/// stands in the lines below), else the last line that is not blank. Empty if there is none.
+std::string failure_in(std::string_view output);
+
 /// "45 s", "2 min 5 s".
 std::string elapsed_text(std::chrono::seconds elapsed);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "golden/suite/text_files.h"
@@ -123,7 +125,21 @@ Status Git::clone_to(const std::string& folder) const {
   const Result<std::string> source = common_folder();
   if (!source.ok()) return source.error();
   const Result<std::string> done = run(".", {"clone", "--quiet", "--shared", "--no-checkout", *source, folder});
-  return done.ok() ? Status() : done.error();
+  if (!done.ok()) return done.error();
+  // A list of the user's own may be missing, which is as good as an empty one.
+  std::error_code none;
+  std::filesystem::copy_file(*source + "/info/exclude", folder + "/.git/info/exclude",
+                             std::filesystem::copy_options::overwrite_existing, none);
+  return {};
+}
+
+Result<std::string> Git::left_over(const std::string& folder) const {
+  Result<std::string> names =
+      run(folder, {"ls-files", "--others", "--exclude-standard", "--directory", "--no-empty-directory"});
+  if (!names.ok()) return names;
+  std::string line = *std::move(names);
+  for (std::size_t at = line.find('\n'); at != std::string::npos; at = line.find('\n', at)) line.replace(at, 1, ", ");
+  return line;
 }
 
 Status Git::put(const std::string& folder, const std::string& commit, bool from_scratch) const {

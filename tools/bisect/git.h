@@ -42,12 +42,16 @@ class Git {
 
   [[nodiscard]] Result<CommitFacts> facts(const std::string& commit) const;
 
-  /// Makes `folder` a clone that shares this repository's objects, with no files in it yet.
+  /// Makes `folder` a clone that shares this repository's objects and its own list of ignored files (info/exclude),
+  /// with no files in it yet.
   [[nodiscard]] Status clone_to(const std::string& folder) const;
 
   /// Puts the files of a commit into such a clone. Ignored files stay (a build can use them), unless `from_scratch`;
   /// all other files that are not the commit's are removed.
   [[nodiscard]] Status put(const std::string& folder, const std::string& commit, bool from_scratch) const;
+
+  /// Files and folders of such a clone that put() removes: neither of a commit nor ignored. One line, with commas.
+  [[nodiscard]] Result<std::string> left_over(const std::string& folder) const;
 
   /// For messages where a commit is missing: that the clone is shallow, and how to fetch the rest; empty for a whole
   /// one.

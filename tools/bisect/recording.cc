@@ -69,15 +69,17 @@ Status Recording::prepare() {
   if (Status ok = golden::write_file(files_.inputs, std::string_view(*inputs)); !ok.ok()) return ok;
   const std::string steps = std::to_string(log->step_count());
   record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
+  files_.scene = settings_.scene;
   if (header.goes_on || header.scene_text.empty()) {
-    if (settings_.run.find("{scene}") != std::string::npos && settings_.engine_scene.empty()) {
+    if (settings_.run.find("{scene}") != std::string::npos && settings_.engine_scene.empty() && files_.scene.empty()) {
       return bad_input("--run: found {scene}, and " + settings_.log +
-                       " holds no scene text to put there; name a file by scene = \"…\" under [engine] of tumble.toml, "
-                       "a path from " +
-                       "its folder, leave {scene} out, or record the log from a scene");
+                       " holds no scene text to put there; name the file by --scene, or each revision's own by scene = "
+                       "\"…\" under [engine] of tumble.toml, a path from its folder; leave {scene} out, or record the "
+                       "log from a scene");
     }
     return {};
   }
+  if (!files_.scene.empty()) return {};
   files_.scene = place_.file("scene/" + file_name(header.scene.name) + ".toml");
   if (Status ok = golden::write_file(files_.scene, std::string_view(header.scene_text)); !ok.ok()) return ok;
   const Result<bool> more_inputs = has_more_inputs(*log);

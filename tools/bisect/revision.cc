@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -39,38 +40,10 @@ Json json_of(const std::string& path) {
   return text.ok() ? Json::parse(*text, nullptr, false) : Json();
 }
 
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-/// "step 12, phase integrate, body 7, position.x" of a report that another version of this program may have written.
-std::string where(const Json& first) {
-  if (!first.is_object()) return "it differs";
-  const auto text = [&](const char* key) { return text_in(first, key, dumped(member(first, key))); };
-  std::string words = "differs from step " + text("step") + " on, phase " + text("phase");
-  if (!member(first, "body").is_null()) words += ", body " + text("body");
-  return words + ", " + text("field");
-}
-
-/// Of a replay that found no difference: hashes that it had none of are the part that matters.
-std::string same_text(const Json& report) {
-  const Json parts = member(report, "not_compared");
-  for (const Json& part : parts.is_array() ? parts : Json::array()) {
-    if (!part.is_string() || !part.get<std::string>().starts_with("phase hashes")) continue;
-    return "the same in every compared bit; not compared: " + part.get<std::string>();
-  }
-  return "the same in every bit";
-}
-
-/// "the same in every bit", or of what was compared, with what was passed over.
-std::string same_text(const replay::ComparisonScope& scope) {
-  std::string text = "the same in " + scope.every_bit();
-  const std::vector<std::string> parts = scope.passed_over();
-  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "; not compared: " : "; ") + parts[i];
-  return text;
-}
-
 Answer answered(bool yes, const std::string& words) { return {.asked = true, .yes = yes, .message = words}; }
 
 constexpr std::size_t kAsksIfDifferent = 5;
+constexpr std::size_t kReasonShown = 300;  // bytes of the line that says why a build failed
 
 bool alike(const Answer& a, const Answer& b) { return a.asked == b.asked && a.yes == b.yes; }
 
@@ -127,16 +100,33 @@ Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, 
     if (!end.ok()) return end.error();
     if (end->stopped) return cannot_finish("interrupted");
     if (end->well()) continue;
-    why = "does not build: " + words->front() + ' ' + end->text() + "; its output is in " + log;
+    const Result<std::string> output = golden::read_text(log);
+    const std::string reason = output.ok() ? printable(failure_in(*output).substr(0, kReasonShown)) : "";
+    why = "does not build: " + words->front() + ' ' + end->text() + (reason.empty() ? "" : ": " + reason) +
+          "; --keep leaves its output in " + log;
     return false;
   }
   return true;
+}
+
+/// Said once: a build from scratch each time costs the hours that a search takes.
+Status Asker::note_left_over() {
+  if (!built_before_ || quiet_ || told_left_over_) return {};
+  const Result<std::string> names = git_.left_over(place_.source());
+  if (!names.ok()) return names.error();
+  if (names->empty()) return {};
+  told_left_over_ = true;
+  std::clog << "tumble bisect: note: what a build leaves and git does not ignore is removed before the next revision, "
+               "which is then built from scratch: "
+            << printable(names->substr(0, kReasonShown)) << "; name it in .git/info/exclude to keep it\n";
+  return {};
 }
 
 /// Builds on top of the build before, which is quick. If that fails, builds from scratch: files that the other build
 /// left may be the reason.
 Result<bool> Asker::build(const std::string& commit, std::string& why) {
   const std::string log = place_.file("build_" + commit.substr(0, 10) + ".txt");
+  if (Status ok = note_left_over(); !ok.ok()) return ok.error();
   if (Status ok = git_.put(place_.source(), commit, false); !ok.ok()) return ok.error();
   recording_.use_kept("");
   const bool keeps = cache_ != nullptr && !recording_.runs_engine();
@@ -192,8 +182,8 @@ Result<Answer> Asker::ask_replay() {
   const Json report = json_of(place_.file("replay.out"));
   if (*same) return answered(true, same_text(report));
   const Json first = member(report, "first");
-  Answer answer = answered(false, where(first));
-  answer.outcome = dumped(first);
+  Answer answer = answered(false, differs_text(first));
+  answer.outcome = first.dump(-1, ' ', false, Json::error_handler_t::replace);
   return answer;
 }
 

@@ -43,6 +43,7 @@ class Asker {
   [[nodiscard]] Result<bool> run(const Recording::Command& command, const std::string& name, std::string& why);
   [[nodiscard]] Result<bool> build_once(const std::string& log, BuildProgress& progress, std::string& why);
   [[nodiscard]] Result<bool> build(const std::string& commit, std::string& why);
+  [[nodiscard]] Status note_left_over();
   /// Records the session; false: the revision cannot.
   [[nodiscard]] Result<bool> record(const std::string& commit, std::string& why);
   [[nodiscard]] Result<Answer> ask_replay();
@@ -58,6 +59,7 @@ class Asker {
   Cancel cancel_;
   Recording recording_;
   bool built_before_ = false;
+  bool told_left_over_ = false;
   int last_exit_ = 0;  // of run()
 };
 

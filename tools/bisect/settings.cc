@@ -32,6 +32,8 @@ std::string Settings::fingerprint() const {
                {"run", run},
                {"engine_folder", engine_folder},
                {"engine_scene", engine_scene},
+               {"scene", scene},
+               {"scene_hash", scene_hash},
                {"engine_map", engine_table.map},
                {"engine_map_file", engine_table.map_file},
                {"engine_header", engine_table.header},

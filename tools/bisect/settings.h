@@ -31,6 +31,8 @@ struct Settings {
   std::string run;                    ///< instead of the program: a command line of an engine that writes {log}
   std::string engine_folder;          ///< in which build and run work: a path from the clone's own
   std::string engine_scene;           ///< {scene} where the log has no text of one: a path from engine_folder
+  std::string scene;                  ///< {scene} of every revision, whatever the log has: an absolute path, or empty
+  std::string scene_hash;             ///< of that file
   golden::TableReading engine_table;  ///< of what the engine writes
   bool shell = false;                 ///< build and run are given to sh
   bool has_project = false;           ///< build and run come from a tumble.toml

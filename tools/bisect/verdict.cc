@@ -71,6 +71,19 @@ void print_doubts(const Finding& finding) {
   }
 }
 
+/// A later revision whose session differs from LOG elsewhere than that of the commit found: another commit changed it
+/// too. Its name in the list of those asked, null: none is known.
+const Tested* changed_again(const Settings& settings, const Finding& finding) {
+  const Answer& found = finding.tested[finding.bad].answer;
+  if (settings.metric || !settings.case_name.empty() || found.outcome.empty()) return nullptr;
+  for (const Tested& tested : finding.tested) {
+    const Answer& answer = tested.answer;
+    const bool repeats = answer.not_repeatable.empty() && answer.sessions_differ.empty() && answer.other.empty();
+    if (tested.verdict == Tested::Verdict::kBad && repeats && differ(found, answer)) return &tested;
+  }
+  return nullptr;
+}
+
 /// Two values of one field, of two runs, need this word: the change that was asked about may be chance.
 void print_repeats(const Tested& good, const Tested& bad) {
   for (const Tested* tested : {&good, &bad}) {
@@ -140,6 +153,11 @@ void print_verdict(const Settings& settings, const Finding& finding, const Compa
   listing.print();
   print_repeats(good, bad);
   print_doubts(finding);
+  if (const Tested* again = changed_again(settings, finding)) {
+    std::cout << "\na later commit changed the session again: " << again->commit.shortly() << " answers "
+              << printable(again->answer.message) << "; to find the next one, record LOG at " << bad.commit.shortly()
+              << " and ask with it as --good\n";
+  }
   print_comparison(comparison);
 }
 

@@ -88,6 +88,16 @@ Result<bisect::Settings> settings_of(const BisectArguments& options) {
                        "one (docs/other_engines.md), or give --run COMMAND");
     }
   }
+  if (!options.scene.empty()) {
+    if (settings.run.find("{scene}") == std::string::npos) {
+      return bad_input(
+          "--scene: found no {scene} in the command that runs the engine, wanted one where the file is put");
+    }
+    settings.scene = absolute(options.scene);
+    const Result<golden::FileHash> hash = golden::hash_file(settings.scene);
+    if (!hash.ok()) return hash.error();
+    settings.scene_hash = hash->hash;
+  }
   if (settings.program.empty()) settings.program = kProgram;
   if (settings.build.empty() && settings.run.empty() && !settings.has_project) {
     settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
