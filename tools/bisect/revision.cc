@@ -102,8 +102,10 @@ Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, 
     if (end->well()) continue;
     const Result<std::string> output = golden::read_text(log);
     const std::string reason = output.ok() ? printable(failure_in(*output).substr(0, kReasonShown)) : "";
-    why = "does not build: " + words->front() + ' ' + end->text() + (reason.empty() ? "" : ": " + reason) +
-          "; --keep leaves its output in " + log;
+    why = "does not build: " + words->front() + ' ' + end->text();
+    if (!reason.empty()) why += ": " + reason;
+    why += "; --keep leaves its output in ";
+    why += log;
     return false;
   }
   return true;

@@ -41,6 +41,19 @@ std::string absolute(const std::string& path) {
 /// A build uses some processors by itself.
 std::uint64_t usual_jobs() { return std::clamp(std::thread::hardware_concurrency() / kProcessorsAJob, 1U, 4U); }
 
+/// The file of --scene, if it is given.
+Status take_scene(const std::string& scene, bisect::Settings& settings) {
+  if (scene.empty()) return {};
+  if (settings.run.find("{scene}") == std::string::npos) {
+    return bad_input("--scene: found no {scene} in the command that runs the engine, wanted one where the file is put");
+  }
+  settings.scene = absolute(scene);
+  const Result<golden::FileHash> hash = golden::hash_file(settings.scene);
+  if (!hash.ok()) return hash.error();
+  settings.scene_hash = hash->hash;
+  return {};
+}
+
 Result<bisect::Settings> settings_of(const BisectArguments& options) {
   if (Status ok = check_for_commits(options); !ok.ok()) return ok.error();
   bisect::Settings settings;
@@ -88,16 +101,7 @@ Result<bisect::Settings> settings_of(const BisectArguments& options) {
                        "one (docs/other_engines.md), or give --run COMMAND");
     }
   }
-  if (!options.scene.empty()) {
-    if (settings.run.find("{scene}") == std::string::npos) {
-      return bad_input(
-          "--scene: found no {scene} in the command that runs the engine, wanted one where the file is put");
-    }
-    settings.scene = absolute(options.scene);
-    const Result<golden::FileHash> hash = golden::hash_file(settings.scene);
-    if (!hash.ok()) return hash.error();
-    settings.scene_hash = hash->hash;
-  }
+  if (Status ok = take_scene(options.scene, settings); !ok.ok()) return ok.error();
   if (settings.program.empty()) settings.program = kProgram;
   if (settings.build.empty() && settings.run.empty() && !settings.has_project) {
     settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
