@@ -4,6 +4,7 @@
 #include <set>
 #include <variant>
 
+#include "replay/log/record_reader.h"
 #include "replay/log/session_clock.h"
 #include "replay/log/told_values.h"
 
@@ -101,6 +102,20 @@ Status read_start(LogReader& log, std::uint64_t from, StepRecord& start) {
   start.states = (*record)->states;
   start.extras = (*record)->extras;
   return {};
+}
+
+BodyTable bodies_until(const LogReader& log, std::uint64_t last) {
+  const LogHeader& header = log.header();
+  BodyTable bodies;
+  bodies.add(header.declared.bodies, header.declared.shapes);
+  if (!header.engine) return bodies;
+  const RecordReader records(log.source());
+  const ChunkRules rules = rules_of(log.header_prelude(), header);
+  for (const ChunkPlace& place : log.chunks()) {
+    if (place.first_step > last) break;
+    records.add_bodies(place, rules, bodies);
+  }
+  return bodies;
 }
 
 bool tells_contacts(LogReader& log) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/progress.h"
 #include "tumble/sim/hash.h"
@@ -38,6 +39,10 @@ bool dt_varies(LogReader& log);
 
 /// Reads a state, without the inputs and phases that led there.
 Status read_start(LogReader& log, std::uint64_t from, StepRecord& start);
+
+/// Names and shapes of the bodies that the start and the steps up to step `last` tell of. Reads the chunks up to that
+/// step, where LogReader::bodies() reads all. Chunks that cannot be read are passed over.
+BodyTable bodies_until(const LogReader& log, std::uint64_t last);
 
 /// Whether any readable state or step of another engine's log has a contact. Reads no more of it than it needs to say
 /// so.

@@ -59,10 +59,7 @@ struct LogReader::State {
 
   void find_chunks();
   [[nodiscard]] std::uint64_t last_step() const;
-  [[nodiscard]] ChunkRules rules() const {
-    const LogHeader& said = header.content;
-    return {header.prelude.log_tag, said.phases.size(), said.hashes, &said.declared.channels};
-  }
+  [[nodiscard]] ChunkRules rules() const { return rules_of(header.prelude, header.content); }
   [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
   [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
   [[nodiscard]] const ChunkPlace* chunk_at(std::uint64_t k) const;
@@ -215,16 +212,8 @@ const BodyTable& LogReader::State::body_table() {
   bodies.emplace();
   bodies->add(header.content.declared.bodies, header.content.declared.shapes);
   const RecordReader records(*source);
-  for (std::size_t i = 0; header.content.engine && i < chunks.size(); ++i) {
-    const Result<Prelude> prelude = records.read_prelude(chunks[i].offset);
-    if (!prelude.ok() || prelude->major < kExtrasMajor) continue;
-    const Result<ChunkDecoder> chunk = records.read_chunk(chunks[i], rules());
-    if (!chunk.ok()) continue;
-    for (std::size_t k = 0; k < chunk->step_count(); ++k) {
-      const Extras& extras = chunk->without_states(k).extras;
-      bodies->add(extras.bodies, extras.shapes);
-    }
-  }
+  if (!header.content.engine) return *bodies;
+  for (const ChunkPlace& place : chunks) records.add_bodies(place, rules(), *bodies);
   return *bodies;
 }
 

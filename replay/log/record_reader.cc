@@ -18,6 +18,10 @@ Error error_at(const ByteSource& source, const std::string& record, std::uint64_
   return {error.kind, source.name() + ": " + record + " at byte " + std::to_string(offset) + ": " + error.message};
 }
 
+ChunkRules rules_of(const Prelude& prelude, const LogHeader& header) {
+  return {prelude.log_tag, header.phases.size(), header.hashes, &header.declared.channels};
+}
+
 ChunkPlace place_of(const Prelude& prelude, std::uint64_t offset) {
   return {offset,
           kPreludeBytes + prelude.stored_bytes,
@@ -64,10 +68,6 @@ Status check_types(const ChunkDecoder& chunk, const std::vector<Channel>& channe
   }
   return {};
 }
-
-}  // namespace
-
-namespace {
 
 /// What `import` reads begins so: a stream, an archive of arrays, a table with or without lines before its names.
 bool is_for_import(std::span<const std::byte> start) {
@@ -173,6 +173,17 @@ Result<ChunkDecoder> RecordReader::read_chunk(const ChunkPlace& place, const Chu
   }
   SIM_CHECK(decoder->keyframe().state.step + 1 == place.first_step, decoder->keyframe().state.step, place.first_step);
   return decoder;
+}
+
+void RecordReader::add_bodies(const ChunkPlace& place, const ChunkRules& rules, BodyTable& bodies) const {
+  const Result<Prelude> prelude = read_prelude(place.offset);
+  if (!prelude.ok() || prelude->major < kExtrasMajor) return;  // without extras
+  const Result<ChunkDecoder> chunk = read_chunk(place, rules);
+  if (!chunk.ok()) return;
+  for (std::size_t k = 0; k < chunk->step_count(); ++k) {
+    const Extras& extras = chunk->without_states(k).extras;
+    bodies.add(extras.bodies, extras.shapes);
+  }
 }
 
 Result<std::vector<ChunkPlace>> RecordReader::read_index(std::uint64_t offset, std::uint64_t log_tag) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "replay/codec/chunk_codec.h"
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/chunk.h"
 #include "tumble/replay/prelude.h"
@@ -29,6 +30,8 @@ struct ChunkRules {
   /// The channels that a chunk may have values of; null: any.
   const std::vector<Channel>* channels = nullptr;
 };
+/// Of the log with this header, which must outlive the result.
+ChunkRules rules_of(const Prelude& prelude, const LogHeader& header);
 
 /// Reads single records and checks each against its prelude: the inverse of RecordWriter. LogReader and scan_records()
 /// check the order of the records, by the index and by the preludes.
@@ -45,6 +48,9 @@ class RecordReader {
 
   /// The chunk at a place. Checks the stored hash, the counts and the chain over the steps.
   [[nodiscard]] Result<ChunkDecoder> read_chunk(const ChunkPlace& place, const ChunkRules& rules) const;
+
+  /// Adds the names and shapes that the steps of a chunk tell of; nothing where the chunk cannot be read.
+  void add_bodies(const ChunkPlace& place, const ChunkRules& rules, BodyTable& bodies) const;
 
   /// The rows of the index record at byte `offset`. Checks the record, but not whether the rows match the file.
   [[nodiscard]] Result<std::vector<ChunkPlace>> read_index(std::uint64_t offset, std::uint64_t log_tag) const;

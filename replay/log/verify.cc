@@ -46,9 +46,7 @@ class Verifier {
   void add(RecordKind kind, std::uint64_t offset, const std::string& message) { add(Damage{kind, offset, message}); }
 
   void check_chunk(const ChunkPlace& place) {
-    const LogHeader& header = log_.header();
-    const ChunkRules rules = {log_.header_prelude().log_tag, header.phases.size(), header.hashes,
-                              &header.declared.channels};
+    const ChunkRules rules = rules_of(log_.header_prelude(), log_.header());
     Result<ChunkDecoder> chunk = RecordReader(log_.source()).read_chunk(place, rules);
     const auto wrong = [&](const std::string& message) {
       add(RecordKind::kChunk, place.offset,

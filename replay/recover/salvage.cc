@@ -166,12 +166,8 @@ class Salvager {
       copies_ += kPreludeBytes + p.stored_bytes;
       return {};
     }
-    ChunkRules rules = {.log_tag = *tag_};
-    if (result_.header) {
-      rules.phase_count = result_.header->content.phases.size();
-      rules.hashes = result_.header->content.hashes;
-      rules.channels = &result_.header->content.declared.channels;
-    }
+    const ChunkRules rules =
+        result_.header ? rules_of(result_.header->prelude, result_.header->content) : ChunkRules{.log_tag = *tag_};
     Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), rules);
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
