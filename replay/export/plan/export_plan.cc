@@ -1,6 +1,7 @@
 #include "replay/export/plan/export_plan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -162,10 +163,8 @@ void leave_out_undefined(const std::set<sim::BodyId>& ids, const ExportChoice& c
                           " thrown in during lost steps, whose sizes nothing tells: " + list);
 }
 
-/// Whether step k is the first that is there behind lost ones.
-bool is_behind_lost(const LogReader& log, std::uint64_t k) {
-  return std::ranges::any_of(log.header().missing(), [k](const MissingSteps& run) { return run.end_step() == k; });
-}
+/// Whether step k, which is there, is the first behind lost ones.
+bool is_behind_lost(const LogReader& log, std::uint64_t k) { return log.lost_at(k - 1) != nullptr; }
 
 }  // namespace
 
@@ -179,7 +178,8 @@ Error with_advice(const Error& error, const LogReader& log, std::uint64_t step) 
 }
 
 bool ExportBody::at(std::size_t index) const {
-  return std::ranges::any_of(runs, [index](const ExportRun& run) { return run.begin <= index && index < run.end; });
+  const auto after = std::ranges::upper_bound(runs, index, {}, &ExportRun::begin);
+  return after != runs.begin() && index < std::prev(after)->end;
 }
 
 std::uint64_t ExportPlan::body_steps() const {
