@@ -6,6 +6,7 @@
 
 #include "python/binding/arrays.h"
 #include "python/binding/values.h"
+#include "replay/import/declared_bodies.h"
 #include "src/base/text.h"
 #include "src/files/output_guard.h"
 
@@ -67,20 +68,15 @@ py::dict copy_of(const py::handle& fields, const char* what) {
   return py::reinterpret_steal<py::dict>(PyDict_Copy(fields.ptr()));
 }
 
-void add_body(const py::handle& row, sim::SceneDef& start, replay::Declared& declared) {
+void add_body(const py::handle& row, sim::SceneDef& start, replay::DeclaredBodies& bodies, replay::Declared& declared) {
   py::dict fields = copy_of(row, "body");
   Description description = take_description(fields);
   const sim::BoxDef box = box_of(fields);
   start.boxes.push_back(box);
   if (description.name.empty() && !description.shape) return;
   replay::BodyInfo info{box.id, std::move(description.name), {}};
-  if (description.shape) {
-    info.shape = hash_of(*description.shape);
-    if (std::ranges::find(declared.shapes, *description.shape) == declared.shapes.end()) {
-      declared.shapes.push_back(*std::move(description.shape));
-    }
-  }
-  declared.bodies.push_back(std::move(info));
+  if (description.shape) info.shape = hash_of(*description.shape);
+  bodies.add(std::move(info), description.shape ? &*description.shape : nullptr, declared);
 }
 
 }  // namespace
@@ -101,7 +97,8 @@ EngineRecorder::EngineRecorder(const std::string& path, const py::dict& about) :
   start.world.ground = flag_of(get(about, "ground"), "ground");
   def.declared.channels = channels_of(get(about, "channels"));
   channels_ = def.declared.channels;
-  for (const py::handle& row : get(about, "bodies")) add_body(row, start, def.declared);
+  replay::DeclaredBodies bodies;
+  for (const py::handle& row : get(about, "bodies")) add_body(row, start, bodies, def.declared);
   std::ranges::sort(start.boxes, {}, &sim::BoxDef::id);
   std::ranges::sort(def.declared.bodies, {}, &replay::BodyInfo::id);
   log_ = take(released([&] { return replay::EngineLog::create(path, def, start); }));

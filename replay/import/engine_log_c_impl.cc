@@ -46,10 +46,7 @@ Status describe(TumbleLog& log, std::uint64_t id, const char* name, const Tumble
     info.shape = hash_of(made);
   }
   if (log.log) return log.log->describe_body(info, shape != nullptr ? &made : nullptr);
-  tumble::replay::Declared& declared = log.def.declared;
-  const auto same = [&](const Shape& other) { return hash_of(other) == info.shape; };
-  if (shape != nullptr && std::ranges::none_of(declared.shapes, same)) declared.shapes.push_back(std::move(made));
-  declared.bodies.push_back(std::move(info));
+  log.declared_bodies.add(std::move(info), shape != nullptr ? &made : nullptr, log.def.declared);
   return {};
 }
 
@@ -87,11 +84,17 @@ TumbleLogStatus tumble_log_add_channel(TumbleLog* log, const char* name, TumbleL
       return tumble::bad_input("channel \"" + std::string(name) + "\": found kind " + std::to_string(kind) +
                                " and scope " + std::to_string(scope) + ", wanted a TumbleLogKind and a TumbleLogScope");
     }
-    log->channels.push_back(
-        {name,
-         {static_cast<tumble::replay::ChannelKind>(kind), static_cast<tumble::replay::ChannelScope>(scope)},
-         unit != nullptr ? unit : ""});
-    return check_channels(log->channels);
+    using tumble::replay::Channel;
+    Channel channel = {
+        name,
+        {static_cast<tumble::replay::ChannelKind>(kind), static_cast<tumble::replay::ChannelScope>(scope)},
+        unit != nullptr ? unit : ""};
+    if (Status ok = tumble::replay::check_channels({channel}); !ok.ok()) return ok;
+    if (std::ranges::find(log->channels, channel.name, &Channel::name) != log->channels.end()) {
+      return tumble::bad_input("channel \"" + channel.name + "\": found twice, wanted names that differ");
+    }
+    log->channels.push_back(std::move(channel));
+    return {};
   });
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/import/declared_bodies.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/engine_log_c.h"
 
@@ -30,6 +31,7 @@ struct TumbleLog {
   std::vector<tumble::replay::Channel> channels;   // in the caller's order
   std::vector<std::size_t> place;                  // of each in EngineDef::declared, which is ordered by name
   std::vector<tumble::replay::StartValue> start_values;
+  tumble::replay::DeclaredBodies declared_bodies;
   tumble::Status status;  // of the first call that failed
 };
 

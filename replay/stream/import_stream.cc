@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "replay/import/declared_bodies.h"
 #include "replay/stream/lent_sink.h"
 #include "replay/stream/stream_bodies.h"
 #include "replay/stream/stream_cursor.h"
@@ -126,14 +127,11 @@ class StreamImporter {
   }
 
   void describe_start(const StreamStep& start, Declared& declared) const {
+    DeclaredBodies bodies;
     for (const StreamInput& input : start.inputs) {
       const auto* body = std::get_if<StreamBody>(&input);
       const auto description = body != nullptr ? bodies_.describe(*body) : std::nullopt;
-      if (!description) continue;
-      declared.bodies.push_back(description->info);
-      if (description->shape && std::ranges::find(declared.shapes, *description->shape) == declared.shapes.end()) {
-        declared.shapes.push_back(*description->shape);
-      }
+      if (description) bodies.add(description->info, description->shape ? &*description->shape : nullptr, declared);
     }
     std::ranges::sort(declared.bodies, {}, &BodyInfo::id);
   }

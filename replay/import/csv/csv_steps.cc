@@ -134,10 +134,11 @@ Result<sim::BodyId> CsvSteps::read_id() {
   if (text.empty()) return table_.at(columns_.id, "id: found nothing, wanted a number or a name");
   const std::uint64_t hash = hash_bytes(std::as_bytes(std::span(cell))).low;
   const sim::BodyId id = kIdsOfNames | (hash & (kIdsOfNames - 1));
-  const auto same = std::ranges::find(ids_, id, [](const auto& entry) { return entry.second; });
-  if (same != ids_.end()) {
-    return table_.at(columns_.id, "found ids " + in_quotes(cell) + " and " + in_quotes(same->first) +
-                                      ", which get one number; wanted other names");
+  if (infos_.contains(id)) {
+    const auto same = std::ranges::find(ids_, id, [](const auto& entry) { return entry.second; });
+    const std::string other = same != ids_.end() ? in_quotes(same->first) : std::to_string(id);
+    return table_.at(columns_.id,
+                     "found ids " + in_quotes(cell) + " and " + other + ", which get one number; wanted other names");
   }
   BodyInfo info = {id, text, {}};
   if (Status ok = check_body_info(info); !ok.ok()) return table_.at(columns_.id, ok.error().message);

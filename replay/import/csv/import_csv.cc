@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "replay/import/csv/csv_steps.h"
+#include "replay/import/declared_bodies.h"
 #include "replay/import/table_notes.h"
 #include "replay/log/log_facts.h"
 #include "src/base/text.h"
@@ -70,12 +71,9 @@ Declared declared_by(const CsvSteps& reader, const TableStep& first) {
   declared.channels = reader.channels().channels();
   declared.velocity_derived = reader.velocity_derived();
   declared.spin_derived = reader.spin_derived();
+  DeclaredBodies bodies;
   for (const auto& [id, state] : first.rows) {
-    const BodyInfo& info = reader.info(id);
-    if (says_something(info)) declared.bodies.push_back(info);
-    const Shape* shape = reader.shape(id);
-    const auto same = [&](const Shape& other) { return hash_of(other) == info.shape; };
-    if (shape != nullptr && std::ranges::none_of(declared.shapes, same)) declared.shapes.push_back(*shape);
+    if (says_something(reader.info(id))) bodies.add(reader.info(id), reader.shape(id), declared);
   }
   return declared;
 }
