@@ -34,7 +34,8 @@ SessionSteps steps_of_replay(LogReader& log, std::uint64_t from) {
 
 /// Metrics over both sessions from their first state on, each up to the last common step: over less, the metrics of the
 /// longer one would differ by its length alone.
-Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std::uint64_t first, std::uint64_t last) {
+Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std::uint64_t first, std::uint64_t last,
+                        const Progress& progress) {
   Measurer measurer(header);
   const StepRecord* record = nullptr;
   for (std::uint64_t k = first; k <= last; ++k) {
@@ -42,15 +43,16 @@ Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std:
     if (!read.ok()) return read.error();
     record = *read;
     measurer.add(*record);
+    if (progress && !progress(k - first, last - first)) return cannot_finish("interrupted");
   }
   return measurer.finish(record->states);
 }
 
 /// Adds the metrics that differ, or the reason why there are none.
 void compare_metrics(const LogHeader& a, const SessionSteps& in_a, const LogHeader& b, const SessionSteps& in_b,
-                     std::uint64_t first, std::uint64_t last, DivergenceGrowth& growth) {
-  const Result<Metrics> of_a = measure(a, in_a, first, last);
-  const Result<Metrics> of_b = of_a.ok() ? measure(b, in_b, first, last) : of_a;
+                     std::uint64_t first, std::uint64_t last, const Progress& progress, DivergenceGrowth& growth) {
+  const Result<Metrics> of_a = measure(a, in_a, first, last, progress);
+  const Result<Metrics> of_b = of_a.ok() ? measure(b, in_b, first, last, progress) : of_a;
   if (of_b.ok()) {
     growth.metrics = moved_metrics(*of_a, *of_b);
   } else {
@@ -76,7 +78,7 @@ Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_
     growth.not_measured = "the two begin with different steps";
     return growth;
   }
-  compare_metrics(a.header(), steps_of(a), b.header(), steps_of(b), a.first_state(), last, growth);
+  compare_metrics(a.header(), steps_of(a), b.header(), steps_of(b), a.first_state(), last, progress, growth);
   return growth;
 }
 
@@ -89,7 +91,7 @@ Result<DivergenceGrowth> growth_in_replay(LogReader& log, LogReader& again, std:
   if (!separation.ok()) return separation.error();
   DivergenceGrowth growth{*std::move(separation), {}, {}};
   compare_metrics(log.header(), steps_of(log), log.header(), steps_of_replay(again, first_difference),
-                  log.first_state(), last, growth);
+                  log.first_state(), last, progress, growth);
   return growth;
 }
 

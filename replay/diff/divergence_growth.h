@@ -28,7 +28,8 @@ struct DivergenceGrowth {
   std::string not_measured;          ///< the reason why metrics are not compared; empty: they are
 };
 
-/// Follows two logs from their first different step on. Errors: measure_separation()'s, StateSource::read's.
+/// Follows two logs from their first different step on, then measures both from their start: three passes, each of
+/// which `progress` counts from 0. Errors: measure_separation()'s, StateSource::read's.
 Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
                                         const Progress& progress = {});
 

@@ -186,7 +186,7 @@ Result<Exit> info(const InfoCommand& options) {
   Result<LogReader> log = LogReader::open(options.log);
   if (!log.ok()) return log.error();
   ProgressBar bar("reading");
-  const replay::VerifyReport report = replay::verify(*log);
+  const replay::VerifyReport report = replay::verify(*log, bar.progress());
   const LogFacts facts = replay::collect_facts(*log, bar.progress());
   bar.finish();
   if (options.json) {
