@@ -73,7 +73,7 @@ class Pass {
         return damaged("step " + number(k) + ": the states do not match their hashes");
       }
       if (comparer_) comparer_->add(step);
-      contacts_.add(k, k == 0 ? log_.header().declared.start.contacts : step.extras.contacts);
+      contacts_.add(k, step.extras.contacts);
       if (!lost_) lost_ = replay::first_not_finite(step.states, step.step);
       told_.add(step);
       metrics_.add(step);

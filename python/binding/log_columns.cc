@@ -117,8 +117,7 @@ py::dict channel_rows(LogFile& log, std::size_t channel, std::uint64_t first, st
       const std::uint64_t k = steps.at(row);
       const Result<const replay::StepRecord*> record = reader.read_step(k);
       if (!record.ok()) return record.error();
-      const replay::Extras& extras = k == log.first() ? log.header().declared.start : (*record)->extras;
-      const replay::ChannelValues& values = extras.values(channel);
+      const replay::ChannelValues& values = (*record)->extras.values(channel);
       for (const replay::ChannelKey& key : values.keys) {
         step.push_back(k);
         a.push_back(key.a);

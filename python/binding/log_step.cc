@@ -42,8 +42,7 @@ py::array phase_words(const StepData& step, std::size_t phases) {
 /// [((a, b), value), …]
 py::list channel_of(const StepData& step, std::size_t channel, const LogFile& log) {
   const std::vector<replay::Channel>& channels = log.header().declared.channels;
-  const replay::Extras& extras = step.record.step == log.first() ? log.header().declared.start : step.record.extras;
-  const replay::ChannelValues& values = extras.values(channel);
+  const replay::ChannelValues& values = step.record.extras.values(channel);
   py::list all;
   for (std::size_t row = 0; row < values.size(); ++row) {
     const replay::ChannelKind kind = channels.at(channel).type.kind;
@@ -53,10 +52,9 @@ py::list channel_of(const StepData& step, std::size_t channel, const LogFile& lo
 }
 
 /// As the engine logged them; none of ours. [(a, b or None for the world, position, normal, depth, impulse), …]
-py::list contacts_of_engine(const StepData& step, const LogFile& log) {
-  const replay::Extras& extras = step.record.step == log.first() ? log.header().declared.start : step.record.extras;
+py::list contacts_of_engine(const StepData& step) {
   py::list all;
-  for (const replay::EngineContact& contact : extras.contacts) {
+  for (const replay::EngineContact& contact : step.record.extras.contacts) {
     const py::object b = contact.b == 0 ? py::object(py::none()) : py::object(py::int_(contact.b));
     all.append(py::make_tuple(contact.a, b, tuple_of(contact.position), tuple_of(contact.normal), contact.depth,
                               contact.impulse));

@@ -103,7 +103,7 @@ class Step:
         """The contact points of the step: those that an engine logged, as it logged them. A log of Tumble's own engine
         holds none; they are computed again."""
         if self._log.engine is not None:
-            return tuple(Contact(*row) for row in self._data.contacts(self._log._file))
+            return tuple(Contact(*row) for row in self._data.contacts())
         return tuple(Contact(*row) for row in self._log._file.contacts(self.step))
 
     @property
