@@ -24,7 +24,7 @@ const Array* find_array(const std::vector<Array>& arrays, std::string_view name)
 }
 
 bool is_unit(const Array& array) {
-  return array.shape.empty() && !array.is_number() && array.cell({}).find_first_of(",\r\n") == std::string::npos;
+  return array.shape.empty() && !array.is_number() && array.cell({}).find_first_of("\r\n") == std::string::npos;
 }
 
 std::string unit_behind(const std::vector<Array>& arrays, const Array& array) {

@@ -263,8 +263,7 @@ class ArrayTable {
     for (const Array& array : arrays_) {
       for (const std::string_view prefix : {"present.", "texts.", "unit.", "step.", "a.", "b."}) {
         if (!array.name.starts_with(prefix) || find_exact(array.name.substr(prefix.size())) == nullptr) continue;
-        if (prefix == "unit." && !is_unit(array))
-          return wrong("array " + array.name + ": wanted one text without a comma");
+        if (prefix == "unit." && !is_unit(array)) return wrong("array " + array.name + ": wanted one text on one line");
         use(array);
       }
     }

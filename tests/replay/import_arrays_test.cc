@@ -231,7 +231,7 @@ TEST(ImportArrays, WrongPairsAndUnitsAreRefused) {
     a.item_bytes = 1;
     a.data = "ab";
   });
-  expect_error("unit.pair.force", "array unit.pair.force: wanted one text", [](Array& a) { a.data = ","; });
+  expect_error("unit.pair.force", "array unit.pair.force: wanted one text", [](Array& a) { a.data = "\n"; });
   expect_error("unit.pair.force", "array unit.pair.force: wanted one text", [](Array& a) { a.shape = {1}; });
 }
 

@@ -38,6 +38,34 @@ TEST(OddTexts, OfADumpAreImportedAgain) {
   EXPECT_EQ(plain.out.find("step,id,"), 0U) << "no text, no escapes: " << plain.out;
 }
 
+// A text of a pair with a blank, a name that ends as if with a unit, a unit with a comma.
+TEST(OddTexts, OfPairsAndOddNamesComeBackFromADump) {
+  const Workshop shop;
+  const std::string zeros = ",0,0,1,1,0,0,0,0,0,0,0,0,0,0,";
+  std::string table =
+      "# engine: toy\n# dt: 1\n# escapes: "
+      "percent\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,"
+      "orientation.y,orientation.z,velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z,frozen,pair.how,channel.load "
+      "(left) (),channel.share (a%2c b)\n";
+  for (const char* step : {"0", "1"}) {
+    table += std::string(step) + ",1" + zeros + "2=a%2520b 3=%2525,0.5,0.25\n";
+    table += std::string(step) + ",2" + zeros + "3=c,1.5,0.75\n";
+    table += std::string(step) + ",3" + zeros + ",,\n";
+  }
+  import_table(shop, "a", table);
+  const Outcome dump = shop.run({"dump", "a.tumble", "--steps", "0:1", "--csv"});
+  ASSERT_EQ(dump.exit, 0) << dump.err;
+  EXPECT_EQ(dump.err, "");
+  import_table(shop, "b", "# engine: toy\n# dt: 1\n" + dump.out);
+  const Outcome same = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(same.exit, 0) << dump.out << same.out;
+  const auto channels_of = [&shop](const char* log) {
+    return nlohmann::json::parse(shop.run({"info", log, "--json"}).out)["channels"];
+  };
+  EXPECT_EQ(channels_of("a.tumble"), channels_of("b.tumble"));
+  EXPECT_EQ(channels_of("a.tumble")[0]["name"], "how");
+}
+
 TEST(OddTexts, SayWhatToDoWithABodyThatLeftTheWorld) {
   const Workshop shop;
   const auto failure_of = [&shop](const std::string& motion) {

@@ -166,7 +166,7 @@ std::vector<Room> program() {
                                        "golden/hunt"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
-      {"tools/output", below},
+      {"tools/output", below + Folders{"replay/export/table"}},
       {"tools/files", below + Folders{"tools/output"}},
       {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
       {"tools/manual", above},

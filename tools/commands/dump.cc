@@ -71,42 +71,43 @@ class Output {
 class CsvOutput : public Output {
  public:
   /// head: of the table. with_dt: the steps differ in length, which the last column then tells.
-  CsvOutput(Told told, const std::string& head, bool with_dt) : Output(std::move(told)), with_dt_(with_dt) {
+  CsvOutput(Told told, const std::string& head, bool with_dt)
+      : Output(std::move(told)), with_dt_(with_dt), extras_(told_) {
     std::cout << head;
-    if (needs_escapes(told_.declared, told_.bodies)) std::cout << replay::kEscapesLine;
+    if (extras_.escaped()) std::cout << replay::kEscapesLine;
     std::cout << "step,id";
     for (const char* name : kNames) std::cout << ',' << name;
-    std::cout << ",frozen";
-    for (const std::string& name : extra_columns(told_.declared, told_.bodies)) std::cout << ',' << name;
-    std::cout << (with_dt_ ? ",dt\n" : "\n");
+    std::cout << ",frozen" << extras_.head() << (with_dt_ ? ",dt\n" : "\n");
   }
   void add(const replay::StepRecord& step, std::size_t row) override {
     const BodyStates& states = step.states;
     std::string line = std::to_string(step.step) + ',' + std::to_string(states.id[row]);
     for (const double number : numbers_of(told_.axes, states, row)) line += ',' + replay::number_cell(number);
     line += states.frozen[row] != 0 ? ",1" : ",0";
-    for (const std::string& cell : extra_cells(told_.declared, told_.bodies, step.extras, states.id[row])) {
-      line += ',' + cell;
-    }
+    extras_.append_cells(step.extras, states.id[row], line);
     if (with_dt_) line += ',' + replay::number_cell(step.dt);
     std::cout << line << '\n';
   }
   void end_step(const replay::StepRecord& step, std::uint64_t body) override {
     if (body != 0) return;  // one body was asked for
-    for (std::string& part : not_in_cells(told_.declared, step.extras, step.states.id)) {
+    for (std::string& part : extras_.left_out_of(step.extras, step.states.id)) {
       if (std::ranges::find(left_out_, part) == left_out_.end()) left_out_.push_back(std::move(part));
     }
   }
   void end() override {
-    if (left_out_.empty()) return;
-    std::string parts;
-    for (const std::string& part : left_out_) parts += (parts.empty() ? "" : ", ") + part;
-    std::cerr << "tumble dump: note: not in the table, which has rows of bodies alone: " << parts
-              << "; --json has them\n";
+    if (!left_out_.empty()) {
+      std::cerr << "tumble dump: note: not in the table, which has rows of bodies alone: " << joined(left_out_, ", ")
+                << "; --json has them\n";
+    }
+    if (const std::string units = joined(extras_.units_left_out(), ", "); !units.empty()) {
+      std::cerr << "tumble dump: note: not in the table, whose columns end with their unit in brackets: the units of "
+                << units << "; 'tumble info --json' has them\n";
+    }
   }
 
  private:
   bool with_dt_;
+  TableExtras extras_;
   std::vector<std::string> left_out_;
 };
 
@@ -132,13 +133,13 @@ class JsonOutput : public Output {
       body[name.substr(0, name.find('.'))].push_back(number_json(numbers[k]));
     }
     body["frozen"] = s.frozen[i] != 0;
-    add_body_extras(told_.declared, told_.bodies, step.extras, s.id[i], body);
+    add_body_extras(told_, step.extras, s.id[i], body);
     std::cout << (first_body_ ? "\n" : ",\n") << text_of(body);
     first_body_ = false;
   }
   void end_step(const replay::StepRecord& step, std::uint64_t /*body*/) override {
     Json extras = Json::object();
-    add_step_extras(told_.declared, told_.axes, step.extras, extras);
+    add_step_extras(told_, step.extras, extras);
     std::cout << "\n]";
     if (!extras.empty()) {  // behind the members that there are already
       const std::string text = text_of(extras);
@@ -201,8 +202,8 @@ class TextOutput : public Output {
   bool has_extras_ = false;
 };
 
-std::unique_ptr<Output> make_output(const DumpCommand& options, replay::LogReader& log) {
-  Told told = {log.header().axes(), log.header().declared, log.bodies()};
+std::unique_ptr<Output> make_output(const DumpCommand& options, replay::LogReader& log, replay::BodyTable bodies) {
+  Told told = told_by(log.header(), std::move(bodies));
   if (options.csv) {  // one state leads to no step
     const bool with_dt = !options.step && replay::dt_varies(log);
     return std::make_unique<CsvOutput>(std::move(told), table_head(log.header()), with_dt);
@@ -247,20 +248,21 @@ Error no_such_body(const DumpCommand& options, const replay::LogReader& log, con
 Result<Exit> dump(DumpCommand options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
+  const Result<StepRange> range = range_of(options, *log);
+  if (!range.ok()) return range.error();
+  replay::BodyTable bodies = replay::bodies_until(*log, range->last);
   if (!options.body_named.empty()) {
-    const Result<sim::BodyId> body = replay::parse_body(options.body_named, log->bodies());
+    const Result<sim::BodyId> body = replay::parse_body(options.body_named, bodies);
     if (!body.ok()) return bad_input("--body: " + body.error().message);
     options.body = *body;
   }
-  const Result<StepRange> range = range_of(options, *log);
-  if (!range.ok()) return range.error();
   replay::StateSource source(*log);
   if (options.body) {
     const Result<bool> exists = body_exists(source, *range, *options.body);
     if (!exists.ok()) return exists.error();
     if (!*exists) return no_such_body(options, *log, *range);
   }
-  const std::unique_ptr<Output> output = make_output(options, *log);
+  const std::unique_ptr<Output> output = make_output(options, *log, std::move(bodies));
   for (std::uint64_t k = range->first; k <= range->last && std::cout; ++k) {
     const Result<const replay::StepRecord*> record = source.read(k);
     if (!record.ok()) return record.error();

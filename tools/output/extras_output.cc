@@ -1,8 +1,6 @@
 #include "tools/output/extras_output.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +9,7 @@
 #include "replay/arrays/pair_cell.h"
 #include "replay/diff/channel_difference.h"
 #include "replay/diff/difference_report.h"
+#include "replay/export/table/channel_cells.h"
 #include "src/base/text.h"
 
 namespace tumble::tools {
@@ -26,10 +25,11 @@ std::string full_text(const replay::ChannelValue& value, ChannelKind kind) {
 
 /// Calls visit(channel, values) for the channels of a scope that have values.
 template <class Visit>
-void for_each_channel(const replay::Declared& declared, const replay::Extras& extras, ChannelScope scope, Visit visit) {
-  for (const std::size_t i : listed_order(declared.channels)) {
+void for_each_channel(const Told& told, const replay::Extras& extras, ChannelScope scope, Visit visit) {
+  for (const std::size_t i : told.listed) {
+    const replay::Channel& channel = told.declared.channels[i];
     const replay::ChannelValues& values = extras.values(i);
-    if (declared.channels[i].type.scope == scope && !values.empty()) visit(declared.channels[i], values);
+    if (channel.type.scope == scope && !values.empty()) visit(channel, values);
   }
 }
 
@@ -43,29 +43,15 @@ std::optional<std::size_t> row_of(const replay::ChannelValues& values, sim::Body
 
 Json triple_json(const sim::Vec3& v) { return {number_json(v.x()), number_json(v.y()), number_json(v.z())}; }
 
-bool any_named(const replay::BodyTable& bodies) {
-  return std::ranges::any_of(bodies.bodies(), [](const auto& entry) { return !entry.second.name.empty(); });
-}
+bool fits_cell(const std::string& text) { return replay::text_cell(text) == text; }
 
-/// Text in a cell of a table: as it is, or with escapes.
-std::string cell_text(const std::string& text, bool escapes) { return escapes ? replay::text_cell(text) : text; }
-
-constexpr std::array<const char*, 3> kPrefixes = {"world", "channel", "pair"};  // by scope
-
-/// The values of the pairs whose first body is `id`. Within a value of text, the characters that separate values are
-/// written as %20 and the like.
-std::string pair_cell(const replay::ChannelValues& values, ChannelKind kind, sim::BodyId id) {
-  std::string cell;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values.keys[i].a != id) continue;
-    std::string text = full_text(values.value(i, kind), kind);
-    if (kind == ChannelKind::kText) text = replay::escaped_cell(text);
-    cell += (cell.empty() ? "" : " ") + std::to_string(values.keys[i].b) + '=' + text;
-  }
-  return cell;
-}
+std::string column_of(const replay::Channel& channel) { return channel_column(channel) + unit_in_column(channel); }
 
 }  // namespace
+
+Told told_by(const replay::LogHeader& header, replay::BodyTable bodies) {
+  return {header.axes(), header.declared, std::move(bodies), listed_order(header.declared.channels)};
+}
 
 Json channel_json(const replay::ChannelValue& value, ChannelKind kind) {
   if (const auto* number = std::get_if<double>(&value)) return number_json(*number);
@@ -75,33 +61,33 @@ Json channel_json(const replay::ChannelValue& value, ChannelKind kind) {
   return full_text(value, kind);
 }
 
-void add_body_extras(const replay::Declared& declared, const replay::BodyTable& bodies, const replay::Extras& extras,
-                     sim::BodyId id, Json& json) {
-  if (const std::string name = bodies.name(id); !name.empty()) json["name"] = name;
-  if (const replay::Shape* shape = bodies.shape(id)) json["shape"] = to_string(*shape);
-  for_each_channel(
-      declared, extras, ChannelScope::kBody, [&](const replay::Channel& channel, const replay::ChannelValues& values) {
-        const std::optional<std::size_t> row = row_of(values, id);
-        if (!row) return;
-        json["channels"][channel.name] = channel_json(values.value(*row, channel.type.kind), channel.type.kind);
-      });
+void add_body_extras(const Told& told, const replay::Extras& extras, sim::BodyId id, Json& json) {
+  if (const std::string name = told.bodies.name(id); !name.empty()) json["name"] = name;
+  if (const replay::Shape* shape = told.bodies.shape(id)) json["shape"] = to_string(*shape);
+  for_each_channel(told, extras, ChannelScope::kBody,
+                   [&](const replay::Channel& channel, const replay::ChannelValues& values) {
+                     const ChannelKind kind = channel.type.kind;
+                     const std::optional<std::size_t> row = row_of(values, id);
+                     if (row) json["channels"][channel.name] = channel_json(values.value(*row, kind), kind);
+                   });
 }
 
-void add_step_extras(const replay::Declared& declared, const replay::EngineAxes& axes, const replay::Extras& extras,
-                     Json& json) {
-  for_each_channel(declared, extras, ChannelScope::kWorld,
+void add_step_extras(const Told& told, const replay::Extras& extras, Json& json) {
+  for_each_channel(told, extras, ChannelScope::kWorld,
                    [&](const replay::Channel& channel, const replay::ChannelValues& values) {
                      json["world"][channel.name] = channel_json(values.value(0, channel.type.kind), channel.type.kind);
                    });
-  for_each_channel(
-      declared, extras, ChannelScope::kPair, [&](const replay::Channel& channel, const replay::ChannelValues& values) {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          json["pairs"].push_back({{"channel", channel.name},
-                                   {"a", values.keys[i].a},
-                                   {"b", values.keys[i].b},
-                                   {"value", channel_json(values.value(i, channel.type.kind), channel.type.kind)}});
-        }
-      });
+  for_each_channel(told, extras, ChannelScope::kPair,
+                   [&](const replay::Channel& channel, const replay::ChannelValues& values) {
+                     for (std::size_t i = 0; i < values.size(); ++i) {
+                       const ChannelKind kind = channel.type.kind;
+                       json["pairs"].push_back({{"channel", channel.name},
+                                                {"a", values.keys[i].a},
+                                                {"b", values.keys[i].b},
+                                                {"value", channel_json(values.value(i, kind), kind)}});
+                     }
+                   });
+  const replay::EngineAxes& axes = told.axes;
   for (const replay::EngineContact& contact : extras.contacts) {
     json["contacts"].push_back({{"a", contact.a},
                                 {"b", contact.b},
@@ -120,58 +106,66 @@ void add_step_extras(const replay::Declared& declared, const replay::EngineAxes&
   }
 }
 
-std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part) {
-  std::string name = prefix + '.' + channel.name;
-  if (!part.empty()) name += '.' + part;
-  const bool has_unit = !channel.unit.empty() && part != "changes";
-  return has_unit ? name + " (" + channel.unit + ')' : name;
+TableExtras::TableExtras(const Told& told) : told_(told) {
+  for (const auto& [id, body] : told.bodies.bodies()) {
+    if (body.name.empty()) continue;
+    named_ = true;
+    escaped_ = escaped_ || !fits_cell(body.name);
+  }
+  for (const replay::Channel& channel : told.declared.channels) {  // of texts to come nothing is known
+    escaped_ = escaped_ || !is_number(channel.type.kind) || !fits_cell(column_of(channel));
+  }
 }
 
-bool needs_escapes(const replay::Declared& declared, const replay::BodyTable& bodies) {
-  const auto odd_name = [](const auto& body) {
-    const std::string& name = body.second.name;
-    return !name.empty() && replay::text_cell(name) != name;
-  };
-  const auto is_odd = [](const replay::Channel& channel) {
-    const std::string name = column_name("", channel);
-    return channel.type.kind == ChannelKind::kText || replay::text_cell(name) != name;
-  };
-  return std::ranges::any_of(bodies.bodies(), odd_name) || std::ranges::any_of(declared.channels, is_odd);
+std::string TableExtras::as_cell(const std::string& text) const { return escaped_ ? replay::text_cell(text) : text; }
+
+std::string TableExtras::head() const {
+  std::string head = named_ ? ",name" : "";
+  for (const replay::Channel& channel : told_.declared.channels) head += ',' + as_cell(column_of(channel));
+  return head;
 }
 
-std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies) {
+void TableExtras::append_value(const replay::ChannelValues& values, const replay::ChannelType& type, sim::BodyId id,
+                               std::string& line) const {
+  const auto at = std::ranges::lower_bound(values.keys, replay::ChannelKey{id, 0});
+  if (at == values.keys.end() || at->a != id) return;
+  const auto row = static_cast<std::size_t>(at - values.keys.begin());
+  if (type.scope == ChannelScope::kPair) {
+    line += as_cell(replay::pair_cell(values, type.kind, row));
+    return;
+  }
+  const replay::ChannelValue value = values.value(row, type.kind);
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) {
+    line += value_cell(value, type.kind);
+  } else {
+    line += as_cell(type.kind == ChannelKind::kBytes ? hex_digits(*text) : *text);
+  }
+}
+
+void TableExtras::append_cells(const replay::Extras& extras, sim::BodyId id, std::string& line) const {
+  if (named_) {
+    const std::string name = told_.bodies.name(id);
+    line += ',' + (name.empty() ? name : as_cell(name));
+  }
+  for (std::size_t i = 0; i < told_.declared.channels.size(); ++i) {
+    const replay::ChannelType& type = told_.declared.channels[i].type;
+    line += ',';
+    append_value(extras.values(i), type, type.scope == ChannelScope::kWorld ? 0 : id, line);
+  }
+}
+
+std::vector<std::string> TableExtras::units_left_out() const {
   std::vector<std::string> names;
-  const bool escapes = needs_escapes(declared, bodies);
-  if (any_named(bodies)) names.emplace_back("name");
-  for (const replay::Channel& channel : declared.channels) {
-    const std::string name = column_name(kPrefixes[static_cast<std::size_t>(channel.type.scope)], channel);
-    names.push_back(cell_text(name, escapes));
+  for (const std::size_t i : told_.listed) {
+    const replay::Channel& channel = told_.declared.channels[i];
+    if (!replay::fits_column(channel.unit)) names.push_back("channel " + printable(channel.name));
   }
   return names;
 }
 
-std::vector<std::string> extra_cells(const replay::Declared& declared, const replay::BodyTable& bodies,
-                                     const replay::Extras& extras, sim::BodyId id) {
-  std::vector<std::string> cells;
-  const bool escapes = needs_escapes(declared, bodies);
-  const std::string named = bodies.name(id);
-  if (any_named(bodies)) cells.push_back(cell_text(named, escapes && !named.empty()));
-  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
-    const auto& [name, type, unit] = declared.channels[i];
-    const replay::ChannelValues& values = extras.values(i);
-    if (type.scope == ChannelScope::kPair) {
-      cells.push_back(pair_cell(values, type.kind, id));
-      continue;
-    }
-    const std::optional<std::size_t> row = row_of(values, type.scope == ChannelScope::kBody ? id : 0);
-    const bool is_text = escapes && type.kind == ChannelKind::kText;
-    cells.push_back(row ? cell_text(full_text(values.value(*row, type.kind), type.kind), is_text) : "");
-  }
-  return cells;
-}
-
-std::vector<std::string> not_in_cells(const replay::Declared& declared, const replay::Extras& extras,
-                                      const std::vector<sim::BodyId>& bodies) {
+std::vector<std::string> TableExtras::left_out_of(const replay::Extras& extras,
+                                                  const std::vector<sim::BodyId>& bodies) const {
   std::vector<std::string> parts;
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0) parts.emplace_back(what);
@@ -180,12 +174,12 @@ std::vector<std::string> not_in_cells(const replay::Declared& declared, const re
   add(extras.notes.size(), "notes");
   add(extras.snapshots.size(), "snapshots");
   add(extras.superseded.size(), "superseded steps");
-  for (const std::size_t i : listed_order(declared.channels)) {
-    const ChannelScope scope = declared.channels[i].type.scope;
-    if (scope == ChannelScope::kWorld) continue;
+  const std::vector<replay::Channel>& channels = told_.declared.channels;
+  for (const std::size_t i : told_.listed) {
+    if (channels[i].type.scope == ChannelScope::kWorld) continue;
     const auto has_row = [&](const replay::ChannelKey& key) { return std::ranges::binary_search(bodies, key.a); };
     if (!std::ranges::all_of(extras.values(i).keys, has_row)) {
-      parts.push_back("values of channel " + printable(declared.channels[i].name) + " whose body has no row");
+      parts.push_back("values of channel " + printable(channels[i].name) + " whose body has no row");
     }
   }
   if (bodies.empty() && extras.in_chain()) parts.emplace_back("channels of a step without bodies");
@@ -194,8 +188,8 @@ std::vector<std::string> not_in_cells(const replay::Declared& declared, const re
 
 void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body,
                     Table& table) {
-  const auto& [axes, declared, bodies] = told;
-  for (const std::size_t i : listed_order(declared.channels)) {
+  const auto& [axes, declared, bodies, listed] = told;
+  for (const std::size_t i : listed) {
     const auto& [name, type, unit] = declared.channels[i];
     const replay::ChannelValues& values = extras.values(i);
     for (std::size_t row = 0; row < values.size(); ++row) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -20,39 +21,56 @@ struct Told {
   replay::EngineAxes axes;
   replay::Declared declared;
   replay::BodyTable bodies;
+  std::vector<std::size_t> listed;  ///< places of the channels in the order in which lists for people have them
 };
+/// bodies: those that are printed, by bodies_until().
+Told told_by(const replay::LogHeader& header, replay::BodyTable bodies);
 
 /// A value of a channel as JSON: a number where JSON holds it exactly, else a text; bytes in hexadecimal.
 Json channel_json(const replay::ChannelValue& value, replay::ChannelKind kind);
 
 /// Adds name, shape and values of body channels to the JSON of a body. Adds nothing where there is nothing.
-void add_body_extras(const replay::Declared& declared, const replay::BodyTable& bodies, const replay::Extras& extras,
-                     sim::BodyId id, Json& json);
+void add_body_extras(const Told& told, const replay::Extras& extras, sim::BodyId id, Json& json);
 
 /// Adds "world" (values of the step by channel), "pairs", "contacts", "notes", "superseded" and "snapshots" (bytes of
 /// each) to the JSON of a step, each where the step has any. Contacts are in the axes and the unit of the engine.
-void add_step_extras(const replay::Declared& declared, const replay::EngineAxes& axes, const replay::Extras& extras,
-                     Json& json);
+void add_step_extras(const Told& told, const replay::Extras& extras, Json& json);
 
-/// "channel.NAME", with a part "channel.NAME.max", with a unit "channel.NAME (rad)".
-std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part = "");
+/// The columns that `dump --csv` has behind those of the states: "name" where the log names bodies, "channel.NAME" of
+/// bodies, "world.NAME", "pair.NAME" of pairs, each with its unit. `import` reads them back.
+class TableExtras {
+ public:
+  /// `told` must outlive this object.
+  explicit TableExtras(const Told& told);
 
-/// Whether the cells or the names of columns hold texts that need the escapes of replay::text_cell(): then all texts
-/// have them, and the table begins with replay::kEscapesLine, by which `import` knows.
-bool needs_escapes(const replay::Declared& declared, const replay::BodyTable& bodies);
+  /// Whether names, texts or bytes need the escapes of replay::text_cell(): then all texts have them, and the table
+  /// begins with replay::kEscapesLine, by which `import` knows.
+  [[nodiscard]] bool escaped() const { return escaped_; }
 
-/// The names of the columns that dump --csv has behind those of the states: "name" where the log names bodies,
-/// "channel.NAME" of bodies, "world.NAME", "pair.NAME" of pairs, each with its unit. `import` reads them back.
-std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies);
-/// The cells of these columns for a body; empty where it has no value. Bytes in hexadecimal. The values of pairs stand
-/// with their first body: "7=0.25 9=0.5", the second body before each.
-std::vector<std::string> extra_cells(const replay::Declared& declared, const replay::BodyTable& bodies,
-                                     const replay::Extras& extras, sim::BodyId id);
+  /// The names of the columns, a comma before each.
+  [[nodiscard]] std::string head() const;
 
-/// The parts of a step that no cell has: contacts, notes and the like, and values of pairs whose first body is not
-/// among `bodies`, which are all of the step. Empty where the cells have everything.
-std::vector<std::string> not_in_cells(const replay::Declared& declared, const replay::Extras& extras,
-                                      const std::vector<sim::BodyId>& bodies);
+  /// Appends the cells of a body, a comma before each; a cell is empty where the body has no value. Bytes in
+  /// hexadecimal. The values of pairs stand with their first body: "7=0.25 9=0.5", the second body before each.
+  void append_cells(const replay::Extras& extras, sim::BodyId id, std::string& line) const;
+
+  /// For messages: the channels with a unit that does not fit behind the name of a column.
+  [[nodiscard]] std::vector<std::string> units_left_out() const;
+
+  /// For messages: the parts of a step that no cell has: contacts, notes and the like, and values of bodies, or of
+  /// pairs by their first body, that are not among `bodies`, which are all of the step.
+  [[nodiscard]] std::vector<std::string> left_out_of(const replay::Extras& extras,
+                                                     const std::vector<sim::BodyId>& bodies) const;
+
+ private:
+  [[nodiscard]] std::string as_cell(const std::string& text) const;
+  void append_value(const replay::ChannelValues& values, const replay::ChannelType& type, sim::BodyId id,
+                    std::string& line) const;
+
+  const Told& told_;
+  bool named_ = false;    // a body has a name
+  bool escaped_ = false;  // texts are as replay::text_cell() writes them
+};
 
 /// For people: the lines "step, channel, of, value" of one step. body: only of this one; 0: all.
 void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body, Table& table);

@@ -9,7 +9,6 @@
 
 #include "replay/measure/metric_list.h"
 #include "tools/output/axes_output.h"
-#include "tools/output/extras_output.h"
 
 namespace tumble::tools {
 namespace {
@@ -89,6 +88,13 @@ std::vector<std::string> parts_of(const replay::Channel& channel) {
   if (!is_number(channel.type.kind)) return {"changes"};
   if (channel.type.scope == replay::ChannelScope::kWorld) return {""};
   return {"min", "max", "mean"};
+}
+
+/// "channel.NAME.max (rad)"; "channel.NAME (rad)" of a channel that has one part without a name.
+std::string series_column(const replay::Channel& channel, const std::string& part) {
+  const std::string name = "channel." + channel.name + (part.empty() ? "" : '.' + part);
+  const bool has_unit = !channel.unit.empty() && part != "changes";
+  return has_unit ? name + " (" + channel.unit + ')' : name;
 }
 
 /// A name as spreadsheets read it: in quotes where it holds a comma, a quote or a line end (RFC 4180).
@@ -198,7 +204,7 @@ Status SeriesFile::open(const std::string& path, const std::vector<replay::Chann
       "step,time,kinetic,potential,inputs,removed,gain,lateral_max,lateral_rms,column_spread,drift_max,tilt_max,"
       "top_drop_max,lost,ground_penetration_max,frozen_fraction";
   for (const replay::Channel& channel : channels_) {
-    for (const std::string& part : parts_of(channel)) line += ',' + quoted_name(column_name("channel", channel, part));
+    for (const std::string& part : parts_of(channel)) line += ',' + quoted_name(series_column(channel, part));
   }
   return file_->write(line + '\n');
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "replay/arrays/pair_cell.h"
+#include "replay/export/table/channel_cells.h"
 #include "replay/export/table/table_frame.h"
 #include "src/base/text.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "replay/export/plan/utf8_text.h"
+#include "replay/export/table/channel_cells.h"
 #include "replay/export/table/npz_texts.h"
 #include "replay/export/table/table_frame.h"
 #include "src/base/text.h"

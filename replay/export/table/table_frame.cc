@@ -1,11 +1,9 @@
 #include "replay/export/table/table_frame.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
-#include "replay/arrays/pair_cell.h"
+#include "replay/export/table/channel_cells.h"
 #include "replay/format/not_finite.h"
 #include "src/base/text.h"
 
@@ -13,12 +11,6 @@ namespace tumble::replay {
 namespace {
 
 std::string triple(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
-
-/// Whether a unit comes back from behind the name of a column.
-bool fits_behind_name(const std::string& unit) {
-  const auto wrong = [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; };
-  return unit.find(" (") == std::string::npos && !unit.starts_with('(') && std::ranges::none_of(unit, wrong);
-}
 
 /// A value on one line.
 std::string line_text(const std::string& text) { return printable(text); }
@@ -85,38 +77,6 @@ std::string shape_word(const ExportBody& body, const EngineAxes& axes) {
   return word + std::string(1, axes.along(body.shape->axis).letter);
 }
 
-std::string channel_column(const Channel& channel) {
-  constexpr std::array<const char*, 3> kPrefixes = {"world.", "channel.", "pair."};  // by scope
-  return kPrefixes.at(static_cast<std::size_t>(channel.type.scope)) + channel.name;
-}
-
-std::string unit_in_column(const Channel& channel) {
-  const bool brackets = channel.name.ends_with(')') && channel.name.find(" (") != std::string::npos;
-  const std::string unit = fits_behind_name(channel.unit) ? channel.unit : "";
-  return unit.empty() && !brackets ? std::string() : " (" + unit + ')';
-}
-
-std::string value_cell(const ChannelValue& value, ChannelKind kind) {
-  if (const auto* wide = std::get_if<double>(&value)) return number_cell(*wide);
-  if (const auto* narrow = std::get_if<float>(&value); narrow != nullptr && std::isinf(*narrow)) {
-    return number_cell(*narrow);
-  }
-  return to_string(value, kind);
-}
-
-std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t row) {
-  std::string cell;
-  const sim::BodyId body = values.keys[row].a;
-  for (; row < values.size() && values.keys[row].a == body; ++row) {
-    const ChannelValue value = values.value(row, kind);
-    const auto* text = std::get_if<std::string>(&value);
-    cell += (cell.empty() ? "" : " ") + std::to_string(values.keys[row].b) + '=';
-    if (text == nullptr) cell += value_cell(value, kind);
-    if (text != nullptr) cell += kind == ChannelKind::kBytes ? hex_digits(*text) : escaped_cell(*text);
-  }
-  return cell;
-}
-
 std::string left_out_values(std::uint64_t count) {
   return count_text(count, "value") + " of channels whose body is absent in the step: a table has no row";
 }
@@ -126,7 +86,7 @@ std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
   const EngineAxes axes = plan.header.axes();
   if (axes.metres != 1) left_out.push_back("the unit of length " + axes.unit() + ": lengths are in m");
   for (const Channel& channel : plan.header.declared.channels) {
-    if (!fits_behind_name(channel.unit)) left_out.push_back("the unit of channel " + channel.name);
+    if (!fits_column(channel.unit)) left_out.push_back("the unit of channel " + channel.name);
     if (channel.type.kind == ChannelKind::kBytes) {
       left_out.push_back("the kind of channel " + channel.name + ": its bytes are text in hexadecimal");
     }
@@ -138,11 +98,6 @@ std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
   }
   left_out.emplace_back("inputs, phase hashes, counters, contacts, notes and snapshots");
   return left_out;
-}
-
-std::size_t value_row(const ChannelValues& values, sim::BodyId id, std::size_t& from) {
-  while (from < values.size() && values.keys[from].a < id) ++from;
-  return from < values.size() && values.keys[from].a == id ? from : values.size();
 }
 
 }  // namespace tumble::replay

@@ -37,27 +37,10 @@ class TableFrame {
 /// The word of the column `shape`; "box" for shapes that need a file, which tables do not have.
 std::string shape_word(const ExportBody& body, const EngineAxes& axes);
 
-/// "world.seed", "channel.knee", "pair.force".
-std::string channel_column(const Channel& channel);
-
-/// " (rad)" behind that name, as `import` reads it: the last brackets of a column are its unit. Empty where the unit
-/// does not fit there; left_out_of_tables() says so.
-std::string unit_in_column(const Channel& channel);
-
-/// As number_cell() of a value that is a number; of any other, its text.
-std::string value_cell(const ChannelValue& value, ChannelKind kind);
-
-/// The cell of a channel of pairs: all values of the first body of `row`, "7=0.25 9=0.5".
-std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t row);
-
 /// For messages: values of bodies, or of pairs by their first body, that are not in the step.
 std::string left_out_values(std::uint64_t count);
 
 /// The parts of a session that no table has a place for, each with its reason.
 std::vector<std::string> left_out_of_tables(const ExportPlan& plan);
-
-/// The row of a body's value; values.size() where it has none. Ids that ascend from call to call make it quick: `from`
-/// is the row to begin at, and moves.
-std::size_t value_row(const ChannelValues& values, sim::BodyId id, std::size_t& from);
 
 }  // namespace tumble::replay
