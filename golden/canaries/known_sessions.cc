@@ -111,7 +111,7 @@ CanaryResult watch_heap() {
       return result;
     }
   }
-  result.caught = watcher.layers == 7720;
+  result.caught = watcher.layers == 7331;
   if (!result.caught) result.message = "told of " + std::to_string(watcher.layers) + " layers";
   return result;
 }

@@ -135,6 +135,7 @@ struct FastBody {
   bool pressed = false;  ///< a contact of a fast pair pressed it in this step
   bool flying = false;   ///< the solver moves it, but no contact presses it in this substep
   bool waits = false;    ///< has met a body within this substep from which it bounces
+  double parting = 0;    ///< m/s, the least speed at which it parts from what presses it; negative: it closes
   double flown_s = 0;    ///< of this substep, before its contacts are solved
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   Quat orientation;

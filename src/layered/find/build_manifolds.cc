@@ -115,14 +115,18 @@ class Builder {
     return passing || out_.manifolds.size() > before;
   }
 
-  // Leaves of the axes those that may push. Returns whether the pair passes.
+  // Leaves of the axes those that may push. Returns whether the pair passes. Edges that pressed in the last step, as in
+  // the ridge of two boards that lean on each other, press on though both faces beside them are open.
   bool leave_pushing_axes(BodyIndex lo, BodyIndex hi) {
     const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
     if (!may_open_two(a, b, *pair_, open_.most)) return false;
-    tested_ = *pair_;
-    pair_ = &tested_;
     const Vec3 way = approach_ * (dt_ - pair_->later);
-    return leave_pushing(a, b, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, open_, tested_);
+    TestedPair left = *pair_;
+    const bool passing = leave_pushing(a, b, {way, bodies_.spin[lo] * dt_, bodies_.spin[hi] * dt_}, open_, left);
+    if (!left.any_axis() && recall_.pressed(lo, hi)) return false;
+    tested_ = left;
+    pair_ = &tested_;
+    return passing;
   }
 
   // Adds what a pair needs in the step: manifolds, or a place among the fast pairs.
@@ -242,8 +246,7 @@ class Builder {
   // Appends an empty manifold with the material of the pair. Building in place saves a copy, which would stall on the
   // values just written.
   Manifold& fresh(BodyIndex reference, BodyIndex incident) {
-    out_.manifolds.push_back(empty_);
-    Manifold& m = out_.manifolds.back();
+    Manifold& m = out_.manifolds.emplace_back(empty_);
     m.a = reference;
     m.b = incident;
     set_materials(state_, m);
@@ -266,14 +269,13 @@ class Builder {
   const Bodies& bodies_;
   const Scratch& scratch_;
   ManifoldList& out_;
-  double dt_, substep_;      // s
-  double fall_, sag_;        // m, ways that gravity may add within the step and within a substep
-  double pushing_s_;         // s, within which points are pushed that would close: a sweep looks a substep ahead
-  FreePaths paths_, ahead_;  // over the step; and over pushing_s_
-  bool in_substep_ = false;
-  BodyIndex lo_ = 0, hi_ = 0;       // the pair at hand
-  bool pushes_ = false;             // whether a point of the pair at hand does
-  double smallest_ = 0, turn_ = 0;  // m, of the pair at hand; turn_: way of corners by turning
+  double dt_, substep_;        // s
+  double fall_, sag_;          // m, ways that gravity may add within the step and within a substep
+  double pushing_s_;           // s, within which points are pushed that would close: a sweep looks a substep ahead
+  FreePaths paths_, ahead_;    // over the step; and over pushing_s_
+  BodyIndex lo_ = 0, hi_ = 0;  // the pair at hand
+  bool in_substep_ = false, pushes_ = false;  // the latter: whether a point of the pair at hand pushes
+  double smallest_ = 0, turn_ = 0;            // m, of the pair at hand; turn_: way of corners by turning
   OpenOverlap open_{};
   Vec3 approach_ = Vec3::Zero();  // m/s, of the higher row against the lower
   TestedPair tested_{};

@@ -37,6 +37,13 @@ std::pair<std::size_t, std::size_t> ContactRecall::entries(BodyIndex lo, BodyInd
   return {cursor_, end};
 }
 
+bool ContactRecall::pressed(BodyIndex lo, BodyIndex hi) {
+  const auto [begin, end] = entries(lo, hi);
+  std::size_t points = 0;
+  for (std::size_t k = begin; k < end; ++k) points += memory_.count[k];
+  return std::ranges::any_of(std::span(memory_.impulse).subspan(point_, points), [](double x) { return x > 0; });
+}
+
 void ContactRecall::warm_start(Manifold& m, std::span<ManifoldPoint> points) {
   const auto [lo, hi] = pair_of(m.a, m.b);
   const auto [begin, end] = entries(lo, hi);

@@ -16,6 +16,9 @@ class ContactRecall {
   ContactRecall(const ContactMemory& memory, const MemoryPlace& from)
       : memory_(memory), cursor_(from.contact), point_(from.point) {}
 
+  /// Whether a point of the pair pressed. hi may be kGround.
+  bool pressed(BodyIndex lo, BodyIndex hi);
+
   /// Gives a new manifold the remembered impulses of points with equal features, and the remembered friction.
   void warm_start(Manifold& manifold, std::span<ManifoldPoint> points);
 

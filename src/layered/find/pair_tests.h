@@ -23,6 +23,7 @@ struct TestedPair {
   Vec3 offset;                ///< x_b − x_a, m, at the meeting
   double later;               ///< s until the meeting; 0 unless the boxes are fast for their thickness
   bool in_reach;              ///< whether they may touch unless a third body stops one of them
+  [[nodiscard]] bool any_axis() const { return (face_a.axes | face_b.axes | edge.axes) != 0; }
 };
 
 /// Runs the box test over the pairs of a step in ascending order, many at a time in lanes (src/kernels/box_tests.h).

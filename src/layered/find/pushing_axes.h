@@ -34,7 +34,7 @@ inline double sliding_overlap(double slop, double way) { return 1.8 * slop + 0.0
 /// decides nothing. Where more are:
 ///   - of those that stay open during the motion, one alone may push: a box that slides over the seam of two tiles is
 ///     carried by their tops and not stopped by the side of the second. Two that stay open leave only an edge to touch,
-///     and the pair passes;
+///     and the pair passes, unless it pressed before;
 ///   - if all close, those that close last are where the boxes meet.
 /// Turns are bounded to the second order of their angle.
 PushingAxes pushing_axes(const BoxPair& boxes, const PairMotion& motion, const OpenOverlap& overlap);

@@ -1,6 +1,7 @@
 #include "src/layered/solve/fast_bodies.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "src/kernels/contacts/contact_batch.h"
@@ -18,10 +19,12 @@ FastBody fast_body_of(const Bodies& bodies, BodyIndex i) {
   return body;
 }
 
-// A contact that presses, and whether it bounces.
+// A contact that presses, its bodies, and whether it bounces.
 struct Pressing {
   std::uint32_t a, b;
   bool bounces;
+  std::size_t batch;
+  unsigned lane;
 };
 
 // A contact that does not bounce from its push does not bounce in this substep, even if the bodies' turn brings points
@@ -50,7 +53,7 @@ void for_pressing(Scratch& scratch, Visit visit) {
         }
         const bool bounces = fast && batch.restitution.of[lane] > 0;
         if (!bounces) slow_approaches(all, batch, lane);
-        if (presses) visit(Pressing{all.sides[at].a[lane], all.sides[at].b[lane], bounces});
+        if (presses) visit(Pressing{all.sides[at].a[lane], all.sides[at].b[lane], bounces, at, lane});
       }
     }
   });
@@ -58,6 +61,59 @@ void for_pressing(Scratch& scratch, Visit visit) {
 
 FastBody* body_of(FastContacts& fast, std::uint32_t row) {
   return row < fast.place.size() ? &fast.bodies[fast.place[row]] : nullptr;  // the ground is the row after the last
+}
+
+Vec3 vector_of(const Lanes (&of)[3], unsigned lane) { return {of[0].of[lane], of[1].of[lane], of[2].of[lane]}; }
+
+// How fast the points of a contact close, m/s, the fastest; negative where all part. Null: a body that stands still.
+double closing(const ContactBatches& all, const Pressing& contact, const SolverBody* a, const SolverBody* b) {
+  const ContactBatch& batch = all.batches[contact.batch];
+  const unsigned lane = contact.lane;
+  const auto velocity = [](const SolverBody* of) { return of == nullptr ? Vec3(Vec3::Zero()) : of->velocity; };
+  const auto spin = [](const SolverBody* of) { return of == nullptr ? Vec3(Vec3::Zero()) : of->spin; };
+  const Vec3 u = (velocity(b) - velocity(a)) - cross(spin(a), vector_of(batch.d, lane)), w = spin(b) - spin(a);
+  const double un = dot(u, vector_of(batch.n, lane));
+  const double w1 = dot(w, vector_of(batch.t1, lane)), w2 = dot(w, vector_of(batch.t2, lane));
+  double parting = std::numeric_limits<double>::infinity();
+  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+    const PointBatch& point = all.points[k];
+    if (point.peak.of[lane] > 0) parting = std::min(parting, un + (w1 * point.q.of[lane] - w2 * point.p.of[lane]));
+  }
+  return -parting;
+}
+
+// A body that waits while one that presses it goes on would be run through. So it goes on too, where that leaves less
+// than half of the overlap: what is hit between two others may go into the one behind, if it goes on, and waits then.
+void leave_none_waiting_alone(const Bodies& bodies, Scratch& scratch, double substep_s) {
+  FastContacts& fast = scratch.fast;
+  const auto moving = [&](std::uint32_t row) {
+    return row < bodies.size() && bodies.moves(row) ? &scratch.solver_bodies[row] : nullptr;
+  };
+  const auto waits = [&](std::uint32_t row) {
+    return fast_body(scratch, row) != nullptr && shared::read(body_of(fast, row)->waits);
+  };
+  for_pressing(scratch, [&](const Pressing& contact) {
+    const double parting = -closing(fast.batches, contact, moving(contact.a), moving(contact.b));
+    for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)})
+      if (body != nullptr) shared::lower(body->parting, parting);
+  });
+  std::uint8_t any = 1;
+  while (any != 0) {
+    any = 0;
+    for_pressing(scratch, [&](const Pressing& contact) {
+      const auto follows = [&](std::uint32_t row, std::uint32_t other) {
+        if (moving(row) == nullptr || !waits(row) || moving(other) == nullptr || waits(other)) return;
+        FastBody& body = *body_of(fast, row);
+        const double run_into = row == contact.a ? closing(fast.batches, contact, nullptr, moving(other))
+                                                 : closing(fast.batches, contact, moving(other), nullptr);
+        if (run_into * (substep_s - body.flown_s) <= kSlop || -body.parting > 0.5 * run_into) return;
+        shared::write(body.waits, false);
+        mark(any);
+      };
+      follows(contact.a, contact.b);
+      follows(contact.b, contact.a);
+    });
+  }
 }
 
 }  // namespace
@@ -115,19 +171,24 @@ void mark_pressed(Scratch& scratch) {
   });
 }
 
-void find_flying(Scratch& scratch) {
+void find_flying(const Bodies& bodies, Scratch& scratch, double substep_s) {
   FastContacts& fast = scratch.fast;
   for_fast_bodies(scratch, [](FastBody& body) {
     body.flying = true;
     body.waits = false;
+    body.parting = 0;
   });
+  std::uint8_t any_waits = 0;
   for_pressing(scratch, [&](const Pressing& contact) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
       if (body == nullptr) continue;
       shared::write(body->flying, false);
-      if (contact.bounces) shared::write(body->waits, true);
+      if (!contact.bounces) continue;
+      shared::write(body->waits, true);
+      mark(any_waits);
     }
   });
+  if (any_waits != 0) leave_none_waiting_alone(bodies, scratch, substep_s);
 }
 
 void release_untouched(WorldState& state, Scratch& scratch) {

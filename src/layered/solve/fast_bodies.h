@@ -17,7 +17,7 @@ void mark_pressed(Scratch& scratch);
 
 /// Tells which bodies fly in this substep, since no contact presses them; and which wait for the rest of it where they
 /// met, so that they bounce as they were turned when they were hit.
-void find_flying(Scratch& scratch);
+void find_flying(const Bodies& bodies, Scratch& scratch, double substep_s);
 
 /// Bodies, pairs or contacts of fast pairs that a part must have for a split to pay.
 inline constexpr std::size_t kFastAPart = 128;

@@ -141,7 +141,7 @@ void add_moved(const Bodies& bodies, const Scratch& scratch, std::size_t begin, 
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
   Hasher* const hasher = take_hasher(scratch);
   const Bodies& bodies = state.bodies;
-  if (!scratch.fast.none()) find_flying(scratch);
+  if (!scratch.fast.none()) find_flying(bodies, scratch, substep_s);
   const auto move_bodies = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
