@@ -32,14 +32,18 @@ SessionSteps steps_of_replay(LogReader& log, std::uint64_t from) {
           }};
 }
 
+struct MeasuredSession {
+  const LogHeader& header;
+  SessionSteps steps;
+};
+
 /// Metrics over both sessions from their first state on, each up to the last common step: over less, the metrics of the
 /// longer one would differ by its length alone.
-Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std::uint64_t first, std::uint64_t last,
-                        const Progress& progress) {
-  Measurer measurer(header);
+Result<Metrics> measure(const MeasuredSession& of, std::uint64_t first, std::uint64_t last, const Progress& progress) {
+  Measurer measurer(of.header);
   const StepRecord* record = nullptr;
   for (std::uint64_t k = first; k <= last; ++k) {
-    const Result<const StepRecord*> read = steps.read(k);
+    const Result<const StepRecord*> read = of.steps.read(k);
     if (!read.ok()) return read.error();
     record = *read;
     measurer.add(*record);
@@ -49,10 +53,10 @@ Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std:
 }
 
 /// Adds the metrics that differ, or the reason why there are none.
-void compare_metrics(const LogHeader& a, const SessionSteps& in_a, const LogHeader& b, const SessionSteps& in_b,
-                     std::uint64_t first, std::uint64_t last, const Progress& progress, DivergenceGrowth& growth) {
-  const Result<Metrics> of_a = measure(a, in_a, first, last, progress);
-  const Result<Metrics> of_b = of_a.ok() ? measure(b, in_b, first, last, progress) : of_a;
+void compare_metrics(const MeasuredSession& a, const MeasuredSession& b, std::uint64_t first, std::uint64_t last,
+                     const Progress& progress, DivergenceGrowth& growth) {
+  const Result<Metrics> of_a = measure(a, first, last, progress);
+  const Result<Metrics> of_b = of_a.ok() ? measure(b, first, last, progress) : of_a;
   if (of_b.ok()) {
     growth.metrics = moved_metrics(*of_a, *of_b);
   } else {
@@ -78,7 +82,7 @@ Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_
     growth.not_measured = "the two begin with different steps";
     return growth;
   }
-  compare_metrics(a.header(), steps_of(a), b.header(), steps_of(b), a.first_state(), last, progress, growth);
+  compare_metrics({a.header(), steps_of(a)}, {b.header(), steps_of(b)}, a.first_state(), last, progress, growth);
   return growth;
 }
 
@@ -90,7 +94,7 @@ Result<DivergenceGrowth> growth_in_replay(LogReader& log, LogReader& again, std:
       measure_separation(steps_of(log), steps_of_replay(again, first_difference), first_difference, last, progress);
   if (!separation.ok()) return separation.error();
   DivergenceGrowth growth{*std::move(separation), {}, {}};
-  compare_metrics(log.header(), steps_of(log), log.header(), steps_of_replay(again, first_difference),
+  compare_metrics({log.header(), steps_of(log)}, {log.header(), steps_of_replay(again, first_difference)},
                   log.first_state(), last, progress, growth);
   return growth;
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "src/collide/box_pair.h"
-#include "src/math/rotation.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/rotation.h"
 
 namespace tumble::test {
 namespace {
