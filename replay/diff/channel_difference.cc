@@ -80,27 +80,6 @@ std::optional<Divergence> difference_in(const ComparedChannel& both, const Toler
   return std::nullopt;
 }
 
-std::optional<Divergence> contact_difference(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    if (a[i].a != b[i].a || a[i].b != b[i].b) break;
-    const auto in_a = numbers_of(a[i]), in_b = numbers_of(b[i]);
-    for (std::size_t c = 0; c < in_a.size(); ++c) {
-      if (bits_of(in_a[c]) == bits_of(in_b[c])) continue;
-      Divergence found = make_divergence(0, "contacts", std::string("contact.") + kContactNumbers[c], in_a[c], in_b[c]);
-      found.pair = {a[i].a, a[i].b};
-      return found;
-    }
-  }
-  const auto pair_of = [](const EngineContact& c) { return std::pair(c.a, c.b); };
-  const auto [in_a, in_b] = std::ranges::mismatch(a, b, {}, pair_of, pair_of);
-  if (in_a == a.end() && in_b == b.end()) return std::nullopt;
-  Divergence found = make_divergence(0, "contacts", "contacts", std::uint64_t{a.size()}, std::uint64_t{b.size()});
-  const bool from_a = in_b == b.end() || (in_a != a.end() && pair_of(*in_a) < pair_of(*in_b));
-  found.pair = from_a ? pair_of(*in_a) : pair_of(*in_b);
-  found.note = std::string("only ") + (from_a ? "the first" : "the second") + " log has this contact";
-  return found;
-}
-
 template <class Visit>
 void for_each_compared(const ChannelMatch& match, const StepRecord& expected, const StepRecord& actual, Visit visit) {
   for (const SharedChannel& channel : match.compared) {
@@ -145,8 +124,25 @@ bool are_two_engines(const LogHeader& a, const LogHeader& b) {
   return engine(a) != engine(b);
 }
 
-bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
-  return !contact_difference(a, b);
+std::optional<Divergence> contact_difference(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    if (a[i].a != b[i].a || a[i].b != b[i].b) break;
+    const auto in_a = numbers_of(a[i]), in_b = numbers_of(b[i]);
+    for (std::size_t c = 0; c < in_a.size(); ++c) {
+      if (bits_of(in_a[c]) == bits_of(in_b[c])) continue;
+      Divergence found = make_divergence(0, "contacts", std::string("contact.") + kContactNumbers[c], in_a[c], in_b[c]);
+      found.pair = {a[i].a, a[i].b};
+      return found;
+    }
+  }
+  const auto pair_of = [](const EngineContact& c) { return std::pair(c.a, c.b); };
+  const auto [in_a, in_b] = std::ranges::mismatch(a, b, {}, pair_of, pair_of);
+  if (in_a == a.end() && in_b == b.end()) return std::nullopt;
+  Divergence found = make_divergence(0, "contacts", "contacts", std::uint64_t{a.size()}, std::uint64_t{b.size()});
+  const bool from_a = in_b == b.end() || (in_a != a.end() && pair_of(*in_a) < pair_of(*in_b));
+  found.pair = from_a ? pair_of(*in_a) : pair_of(*in_b);
+  found.note = std::string("only ") + (from_a ? "the first" : "the second") + " log has this contact";
+  return found;
 }
 
 ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances, bool two_engines) {

@@ -51,8 +51,8 @@ inline bool leave_out_contacts_of_one(bool in_a, bool in_b, ChannelMatch& match,
   return true;
 }
 
-/// Whether two lists of contacts agree in every bit.
-bool same_contacts(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b);
+/// The first contact in which two lists differ in any bit, by pair and number; no step.
+std::optional<Divergence> contact_difference(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b);
 
 /// Of the channels that are compared, by natural_less().
 std::vector<std::string> names_of(const ChannelMatch& match);

@@ -76,6 +76,7 @@ Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_
   if (separation->contacts_from && separation->contacts_by_value && tells_contacts(a) != tells_contacts(b)) {
     separation->compares_contacts = false;  // one recorder told none
     separation->contacts_from.reset();
+    separation->first_contact.reset();
   }
   DivergenceGrowth growth{*std::move(separation), {}, {}};
   if (a.first_state() != b.first_state()) {

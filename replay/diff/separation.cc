@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "replay/format/little_endian.h"
 #include "replay/format/not_finite.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -16,6 +17,23 @@ namespace tumble::replay {
 namespace {
 
 constexpr double kSquareVanishes = 1e-140;  // m
+
+/// Whether both have the same points of a pair, and at least one, in whatever order.
+bool same_points(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b,
+                 const std::pair<sim::BodyId, sim::BodyId>& pair) {
+  const auto points_in = [&](const std::vector<EngineContact>& all) {
+    std::vector<std::vector<std::uint64_t>> points;
+    for (const EngineContact& contact : all) {
+      if (std::pair(contact.a, contact.b) != pair) continue;
+      std::vector<std::uint64_t>& bits = points.emplace_back();
+      for (const double number : numbers_of(contact)) bits.push_back(bits_of(number));
+    }
+    std::ranges::sort(points);
+    return points;
+  };
+  const auto points = points_in(a);
+  return !points.empty() && points == points_in(b);
+}
 
 /// The error for two steps of which states and hashes contradict each other: equal hashes with unequal states, or the
 /// reverse. Blames the log whose states do not match its own hash.
@@ -79,9 +97,7 @@ class SeparationMeter {
       if (separation_.compares_contacts && in_a.counters.*count != in_b.counters.*count)
         note(separation_.contacts_from);
     }
-    if (separation_.compares_contacts && !same_contacts(in_a.extras.contacts, in_b.extras.contacts)) {
-      note(separation_.contacts_from);
-    }
+    if (separation_.compares_contacts) compare(in_a.extras.contacts, in_b.extras.contacts);
     for (const StepRecord* record : {&in_a, &in_b}) {
       const bool had_any = record->counters.pairs > 0 || record->counters.contacts > 0;
       const bool told = separation_.compares_contacts && !record->extras.contacts.empty();
@@ -103,6 +119,19 @@ class SeparationMeter {
     }
     separation_.rows.push_back(row_);
     return {};
+  }
+
+  void compare(const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
+    if (separation_.contacts_from && *separation_.contacts_from != row_.step) return;
+    const std::optional<Divergence> found = contact_difference(a, b);
+    if (!found) return;
+    note(separation_.contacts_from);
+    SIM_CHECK(found->pair, row_.step);
+    // Without the axis of a vector, whose name is the engine's.
+    const std::string field = found->field.substr(found->field.find('.') + 1);
+    std::string words = found->note.empty() ? field.substr(0, field.find('.')) : found->note;
+    if (same_points(a, b, *found->pair)) words = "the same points in another order";
+    separation_.first_contact = {*found->pair, std::move(words)};
   }
 
   /// Walks both states by ascending id, as two sorted lists are merged.

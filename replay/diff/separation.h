@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "replay/diff/channel_difference.h"
@@ -64,6 +65,12 @@ struct ChannelSeparation {
   std::uint64_t largest_step = 0;
 };
 
+/// The first contact of an engine that differs.
+struct ContactSeparation {
+  std::pair<sim::BodyId, sim::BodyId> pair;  ///< second 0: the ground
+  std::string words;                         ///< "normal", "only the first log has this contact"
+};
+
 struct Separation {
   std::vector<SeparationRow> rows;          ///< one a step, beginning with the first difference
   std::vector<SeparationMark> marks;        ///< those that were exceeded
@@ -76,10 +83,11 @@ struct Separation {
   bool contacts_by_value = false;  ///< contacts of an engine, compared in every bit; else by their number alone
   bool had_frozen = false;
   // The first step in which the sessions differ in kind; none: in no step.
-  std::optional<std::uint64_t> contacts_from;  ///< in the number of pairs, contacts or substeps; contacts
-                                               ///< of an engine also in any value
-  std::optional<std::uint64_t> freezing_from;  ///< a body is frozen in one only
-  std::optional<std::uint64_t> bodies_from;    ///< a body exists in one only
+  std::optional<std::uint64_t> contacts_from;      ///< in the number of pairs, contacts or substeps; contacts
+                                                   ///< of an engine also in any value
+  std::optional<ContactSeparation> first_contact;  ///< in step contacts_from; none: they differ in number alone
+  std::optional<std::uint64_t> freezing_from;      ///< a body is frozen in one only
+  std::optional<std::uint64_t> bodies_from;        ///< a body exists in one only
 };
 
 /// Compares the states of steps from … last, at least one. Errors: those of reading; kDamaged where the states of a log

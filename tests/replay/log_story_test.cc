@@ -210,6 +210,35 @@ TEST(BrokenLog, EqualStatesWithUnequalHashesAreNotCalledDifferent) {
   EXPECT_NE(separation.error().message.find("liar.tumble"), std::string::npos) << separation.error().message;
 }
 
+// The pair is the place that a hash of a phase does not tell; points in another order are no other points.
+TEST(Separation, NamesTheFirstContactThatDiffers) {
+  const auto first_of = [](const std::vector<EngineContact>& a, const std::vector<EngineContact>& b) {
+    StepRecord in_a, in_b;
+    in_a.extras.contacts = a;
+    in_b.extras.contacts = b;
+    const auto steps = [](const StepRecord& record) {
+      return SessionSteps{"session", [&](std::uint64_t) -> Result<const StepRecord*> { return &record; }};
+    };
+    ChannelMatch match;
+    match.contacts = true;
+    Result<Separation> separation = measure_separation(steps(in_a), steps(in_b), 3, 5, {}, &match);
+    EXPECT_TRUE(separation.ok()) << separation.error().message;
+    EXPECT_EQ(separation->contacts_from, std::uint64_t{3});
+    return separation->first_contact.value_or(ContactSeparation());
+  };
+  const EngineContact one = {1, 0, {0, 0, 0}, {0, 0, 1}, 0.1, 2}, two = {1, 0, {1, 0, 0}, {0, 0, 1}, 0.1, 2},
+                      other = {1, 4, {0, 0, 0}, {0, 0, 1}, 0.1, 2};
+  EngineContact harder = other;
+  harder.impulse = 3;
+  const auto pushed_more = first_of({one, other}, {one, harder});
+  EXPECT_EQ(pushed_more.pair, std::pair(sim::BodyId{1}, sim::BodyId{4}));
+  EXPECT_EQ(pushed_more.words, "impulse");
+  EXPECT_EQ(first_of({one, two}, {two, one}).words, "the same points in another order");
+  EXPECT_EQ(first_of({one, two}, {two, two}).words, "position");
+  EXPECT_EQ(first_of({one, other}, {one}).words, "only the first log has this contact");
+  EXPECT_EQ(first_of({one, two, harder}, {two, one, other}).pair.second, 0U) << "the first pair";
+}
+
 TEST(MetricBound, SaysWhetherAValueIsWithinIt) {
   const Result<MetricBound> bound = parse_metric_bound("lateral_max <= 0.5");
   ASSERT_TRUE(bound.ok()) << bound.error().message;

@@ -110,7 +110,7 @@ TEST(EngineAxes, ContactsThatAreTheFirstDifferenceAreSaidToDiffer) {
   const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
   EXPECT_TRUE(says(text.out, "contact.position.y")) << text.out;
   EXPECT_TRUE(says(text.out, "1 m, 524288 ULPs")) << text.out;
-  EXPECT_TRUE(says(text.out, "differ from step 1 on")) << text.out;
+  EXPECT_TRUE(says(text.out, "differ from step 1 on, first of body 1 and the ground: position")) << text.out;
   EXPECT_FALSE(says(text.out, "the same")) << text.out;
   EXPECT_EQ(parsed(shop.run({"diff", "a.tumble", "b.tumble", "--json"}))["aftermath"]["contacts_from"], 1);
   const Outcome step = shop.run({"diff", "a.tumble", "b.tumble", "--step", "3"});

@@ -24,16 +24,19 @@ const char* kind_of(const replay::Separation& separation) {
 }
 
 std::string since(const std::optional<std::uint64_t>& step, bool had_any) {
-  if (step) return "differ from step " + std::to_string(*step) + " on";
-  return had_any ? "the same" : "none in either log";
+  return step ? "differ from step " + std::to_string(*step) + " on" : had_any ? "the same" : "none in either log";
 }
 
 /// Contacts of our own sessions are compared by their number alone.
-std::string contacts_text(const replay::Separation& separation) {
+std::string contacts_text(const replay::Separation& separation, const Sides& sides) {
   if (!separation.compares_contacts) return "not compared";
-  const bool by_number = !separation.contacts_from && separation.had_contacts && !separation.contacts_by_value;
-  if (by_number) return "the same in number; their values are not compared";
-  return since(separation.contacts_from, separation.had_contacts);
+  if (!separation.contacts_from && separation.had_contacts && !separation.contacts_by_value)
+    return "the same in number; their values are not compared";
+  std::string text = since(separation.contacts_from, separation.had_contacts);
+  if (!separation.first_contact) return text;
+  const auto& [pair, words] = *separation.first_contact;
+  text += ", first of " + sides.body(pair.first) + " and ";
+  return text + (pair.second == 0 ? "the ground" : sides.body(pair.second)) + ": " + words;
 }
 
 std::string distance_text(double distance, const char* unit) {
@@ -180,7 +183,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   listing.add("  largest separation", separation_text(separation.largest, sides) + ", step " +
                                           std::to_string(separation.largest.step) + of_both);
   listing.add("  separation at the end", separation_text(separation.rows.back(), sides) + of_both);
-  listing.add("  contacts", contacts_text(separation));
+  listing.add("  contacts", contacts_text(separation, sides));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from) {
     const std::string alone = only_in_text(separation.rows.back(), sides);
@@ -211,23 +214,23 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
 Json growth_json(const replay::DivergenceGrowth& growth) {
   const replay::Separation& separation = growth.separation;
   Json json = {{"kind", kind_of(separation)}, {"marks", Json::array()}};
-  for (const replay::SeparationMark& mark : separation.marks) {
+  for (const replay::SeparationMark& mark : separation.marks)
     json["marks"].push_back({{"above", mark.above}, {"step", mark.step}, {"body", mark.body}});
-  }
   json["lost"] = lost_json(separation.lost);
   json["contacts_from"] = step_or_null(separation.contacts_from);
+  json["first_contact"] = nullptr;
+  if (const auto& first = separation.first_contact)
+    json["first_contact"] = {{"bodies", {first->pair.first, first->pair.second}}, {"difference", first->words}};
   json["freezing_from"] = step_or_null(separation.freezing_from);
   json["bodies_from"] = step_or_null(separation.bodies_from);
   json["channels"] = Json::array();
-  for (const replay::ChannelSeparation& channel : separation.channels) {
+  for (const replay::ChannelSeparation& channel : separation.channels)
     json["channels"].push_back(channel_separation_json(channel));
-  }
   json["largest"] = row_json(separation.largest);
   json["last"] = row_json(separation.rows.back());
   json["metrics"] = growth.not_measured.empty() ? Json::array() : Json(nullptr);
-  for (const replay::MovedMetric& m : growth.metrics) {
+  for (const replay::MovedMetric& m : growth.metrics)
     json["metrics"].push_back({{"name", m.name}, {"unit", m.unit}, {"expected", number(m.a)}, {"actual", number(m.b)}});
-  }
   json["steps"] = Json::array();
   const std::size_t stride = separation.rows.size() / kRowsJson + 1;
   for (std::size_t i = 0; i < separation.rows.size(); i += stride)
@@ -242,9 +245,8 @@ void print_location(const replay::DivergenceLocation& location, const Sides& sid
   }
   Listing listing;
   if (location.taken) listing.add("  this build", match_text(location, sides));
-  if (!location.bodies.empty()) {
+  if (!location.bodies.empty())
     listing.add("  after it", count_text(location.bodies.size(), "body") + " in another state");
-  }
   for (std::size_t i = 0; i < std::min(kContactsShown, location.contacts.size()); ++i) {
     listing.add(i == 0 ? "  contacts" : "", sides.named(replay::describe(location.contacts[i])));
   }
@@ -275,9 +277,8 @@ void print_difference(const replay::DifferenceReport& report, Compared compared,
     print_location(report.location, sides);
   } else {
     Listing contacts;
-    for (const replay::StepContact& contact : report.location.contacts) {
+    for (const replay::StepContact& contact : report.location.contacts)
       contacts.add("  contact", replay::describe(contact));
-    }
     contacts.print();
   }
   if (report.growth) {

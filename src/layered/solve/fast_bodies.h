@@ -16,7 +16,7 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch);
 void mark_pressed(Scratch& scratch);
 
 /// Tells which bodies fly in this substep, since no contact presses them; and which wait for the rest of it where they
-/// met, so that they bounce as they were turned when they were hit.
+/// met, so that they bounce as they were turned when they were hit. What is driven on by a body that goes on does not.
 void find_flying(const Bodies& bodies, Scratch& scratch, double substep_s);
 
 /// Bodies, pairs or contacts of fast pairs that a part must have for a split to pay.
