@@ -31,7 +31,7 @@ double sunk(double from_vertical, double friction, int substeps, double seconds 
                              {side * (kLength / 2 * s + kThickness / 2 * c), 0, kLength / 2 * c + kThickness / 2 * s});
     board.size = {kThickness, 0.5, kLength};
     board.mass = 1;
-    board.orientation = {std::cos(radians / 2), 0, -side * std::sin(radians / 2), 0};
+    board.orientation = turn({0, -1.0 * side, 0}, c, s);
     board.material = material;
     scene.boxes.push_back(board);
   }

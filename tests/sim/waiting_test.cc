@@ -13,22 +13,13 @@ namespace {
 using sim::SceneDef;
 using sim::World;
 
-// A wall of five courses of five bricks that bounce a little, and a cube of ten times their mass that flies at it.
+// A wall of bricks that bounce a little, and a cube of ten times their mass that flies at it.
 SceneDef wall_and_cube(int substeps) {
-  SceneDef scene = on_ground();
+  SceneDef scene = wall(5, 5);
   scene.world.method = sim::Method::kLayered;
   scene.world.dt = 1.0 / 60;
   scene.world.substeps = static_cast<std::uint32_t>(substeps);
-  sim::BodyId id = 0;
-  for (int course = 0; course < 5; ++course) {
-    for (int brick = 0; brick < 5; ++brick) {
-      sim::BoxDef box = cube(++id, {2.02 * brick - 4.04 + 0.5 * (course % 2), 0, course + 0.5});
-      box.size = {2, 1, 1};
-      box.mass = 2;
-      scene.boxes.push_back(box);
-    }
-  }
-  sim::BoxDef thrown = cube(++id, {0, -3, 3});
+  sim::BoxDef thrown = cube(scene.boxes.back().id + 1, {0, -3, 3});
   thrown.size = {2, 2, 2};
   thrown.mass = 20;
   thrown.velocity = {0, 25, 0};

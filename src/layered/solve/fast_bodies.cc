@@ -65,8 +65,8 @@ FastBody* body_of(FastContacts& fast, std::uint32_t row) {
 
 Vec3 vector_of(const Lanes (&of)[3], unsigned lane) { return {of[0].of[lane], of[1].of[lane], of[2].of[lane]}; }
 
-// How fast the points of a contact close, m/s, the fastest; negative where all part. Null: a body that stands still.
-double closing(const ContactBatches& all, const Pressing& contact, const SolverBody* a, const SolverBody* b) {
+// How fast the points of a contact part, m/s, the slowest; negative where one closes. Null: a body that stands still.
+double parting_of(const ContactBatches& all, const Pressing& contact, const SolverBody* a, const SolverBody* b) {
   const ContactBatch& batch = all.batches[contact.batch];
   const unsigned lane = contact.lane;
   const auto velocity = [](const SolverBody* of) { return of == nullptr ? Vec3(Vec3::Zero()) : of->velocity; };
@@ -79,7 +79,7 @@ double closing(const ContactBatches& all, const Pressing& contact, const SolverB
     const PointBatch& point = all.points[k];
     if (point.peak.of[lane] > 0) parting = std::min(parting, un + (w1 * point.q.of[lane] - w2 * point.p.of[lane]));
   }
-  return -parting;
+  return parting;
 }
 
 // A body that waits while one that presses it goes on would be run through. So it goes on too, where that leaves less
@@ -93,7 +93,7 @@ void leave_none_waiting_alone(const Bodies& bodies, Scratch& scratch, double sub
     return fast_body(scratch, row) != nullptr && shared::read(body_of(fast, row)->waits);
   };
   for_pressing(scratch, [&](const Pressing& contact) {
-    const double parting = -closing(fast.batches, contact, moving(contact.a), moving(contact.b));
+    const double parting = parting_of(fast.batches, contact, moving(contact.a), moving(contact.b));
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)})
       if (body != nullptr) shared::lower(body->parting, parting);
   });
@@ -104,8 +104,8 @@ void leave_none_waiting_alone(const Bodies& bodies, Scratch& scratch, double sub
       const auto follows = [&](std::uint32_t row, std::uint32_t other) {
         if (moving(row) == nullptr || !waits(row) || moving(other) == nullptr || waits(other)) return;
         FastBody& body = *body_of(fast, row);
-        const double run_into = row == contact.a ? closing(fast.batches, contact, nullptr, moving(other))
-                                                 : closing(fast.batches, contact, moving(other), nullptr);
+        const double run_into = -(row == contact.a ? parting_of(fast.batches, contact, nullptr, moving(other))
+                                                   : parting_of(fast.batches, contact, moving(other), nullptr));
         if (run_into * (substep_s - body.flown_s) <= kSlop || -body.parting > 0.5 * run_into) return;
         shared::write(body.waits, false);
         mark(any);
