@@ -12,6 +12,7 @@
 #include "golden/judge/case_json.h"
 #include "golden/run/external_engine.h"
 #include "golden/run/longest_first.h"
+#include "golden/run/repeated_runs.h"
 #include "golden/run/run_case.h"
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
@@ -88,7 +89,7 @@ Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
 }
 
 /// A note of the session itself, which no blessing takes away.
-bool says_cut(const std::string& note) { return note.starts_with(replay::kToldNote); }
+bool says_cut(const std::string& note) { return note.starts_with(replay::kToldNote) || note.starts_with(kNearBound); }
 
 Blessing blessing_of(const CaseResult& result, bool is_new) {
   Blessing blessing{.name = result.name, .is_new = is_new, .bits = {}, .details = {}, .metrics = result.metrics};

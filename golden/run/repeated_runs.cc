@@ -38,6 +38,14 @@ std::string fault_of_worst(const MetricResult& metric, const std::vector<double>
   return "";
 }
 
+/// The distance of the run that is nearest to a bound of the metric, all being within; none: it has no bound.
+std::optional<double> room_of(const MetricRule& rule, const std::vector<double>& values) {
+  std::optional<double> room;
+  if (rule.max) room = *rule.max - values.back();
+  if (rule.min) room = std::min(room.value_or(values.front() - *rule.min), values.front() - *rule.min);
+  return room;
+}
+
 }  // namespace
 
 // A golden that has to be met in every bit is worth nothing where the engine itself does not meet it again.
@@ -125,6 +133,22 @@ void RepeatedRuns::judge_metrics_of_all() {
   judged_.values = std::move(medians);
 }
 
+void RepeatedRuns::name_near_bounds() {
+  CaseResult& result = judged_.result;
+  std::string names;
+  for (std::size_t k = 0; k < result.metrics.size(); ++k) {
+    const MetricResult& metric = result.metrics[k];
+    if (!metric.pass || metric.spread.value_or(0) == 0) continue;
+    const std::optional<double> room = room_of(metric.rule, sorted(values_, k));
+    if (!room || *room >= *metric.spread) continue;
+    names += (names.empty() ? "" : ", ") + metric.rule.name;
+    result.notes.push_back(std::string(kNearBound) + metric.rule.name + ": a run is " + rounded(*room, metric.unit) +
+                           " from it, and the runs are up to " + rounded(*metric.spread, metric.unit) +
+                           " from one another: a further run may fail without any change (docs/noisy_engines.md)");
+  }
+  if (!names.empty()) near_ = ", and are nearer to the bound of " + names + " than to one another";
+}
+
 void RepeatedRuns::finish() {
   CaseResult& result = judged_.result;
   result.runs = runs_;
@@ -134,19 +158,23 @@ void RepeatedRuns::finish() {
                           "); the engine's own spread is 0, so metrics are judged against the blessed values alone";
     return;
   }
+  // A session that could not be measured has its problem already.
+  if (!judged_.values.empty()) {
+    judge_metrics_of_all();
+    name_near_bounds();
+  }
   result.runs_message = runs + " differ among themselves";
   if (apart_ && !apart_->body) result.runs_message += ", in no body's place";
   if (apart_ && apart_->body) {
     result.runs_message += " by up to " + rounded(apart_->separation, "m") + " (body " + std::to_string(*apart_->body) +
                            ", step " + std::to_string(apart_->step) + ")";
   }
+  result.runs_message += near_;
   result.runs_message +=
       "; each metric is judged against its own spread over the runs: it has moved where the median "
       "is further from the blessed value";
   result.verdict(VerdictKind::kExact) = {Outcome::kFail, std::string(kDoesNotRepeat) + ": " + difference_};
   result.notes.push_back(difference_);
-  // A session that could not be measured has its problem already.
-  if (!judged_.values.empty()) judge_metrics_of_all();
 }
 
 }  // namespace tumble::golden

@@ -80,6 +80,9 @@ def prepare(run, folder):
     run("record", "other.toml", "-o", "c.tumble")
     run("record", "none.toml", "-o", "none.tumble")
     write("long.toml", SMALL.replace("steps = 40", "steps = 400"))
+    run("record", scene("tilted_grid"), "-o", "grid.tumble", "--steps", "20")
+    run("record", scene("tilted_grid"), "-o", "mirrored.tumble", "--steps", "20", "--mirror", "x")
+    write("bounds.toml", "[[metric]]\nname = \"drift_max\"\nmax = 1\nwhy = \"near\"\n")
     run("record", scene("layered_brick_wall"), "-o", "wall.tumble", "--steps", "60")
     run("record", scene("layered_inputs"), "-o", "inputs.tumble", "--steps", "60")
     run("record", "long.toml", "-o", "long.tumble")
@@ -126,7 +129,9 @@ SAMPLES = {
               "--back", "4"], ["a.tumble", "--body", "3", "--field", "velocity.y", "--back", "5"],
               ["a.tumble", "--body", "1", "--contacts", "--step", "30"], ["wall.tumble", "--body", "30", "--contacts"]],
     "info": [["a.tumble"], ["torn.tumble"], ["damaged.tumble"], ["robot.tumble"], ["lost.tumble"], ["inputs.tumble"]],
-    "measure": [["a.tumble"], ["wall.tumble"], ["robot.tumble"], ["lost.tumble"], ["inputs.tumble", "--bodies", "1-3"]],
+    "measure": [["a.tumble"], ["wall.tumble"], ["robot.tumble"], ["lost.tumble"], ["inputs.tumble", "--bodies", "1-3"],
+                ["grid.tumble", "--with", "mirrored.tumble"], ["robot.tumble", "changed.tumble", "lost.tumble"],
+                ["robot.tumble", "changed.tumble", "--bounds", "bounds.toml"]],
     "dump": [["a.tumble", "--step", "7"], ["a.tumble", "--steps", "0:3"], ["robot.tumble", "--step", "12"],
              ["lost.tumble", "--step", "12"], ["a.tumble", "--steps", "3:4", "--body", "1"]],
     "render": [["a.tumble", "-o", "a.png", "--size", "64x48"], ["a.tumble", "-o", "pictures", "--every", "20", "--size", "64x48"]],

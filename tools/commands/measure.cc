@@ -16,6 +16,7 @@
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
+#include "tools/compare/runs.h"
 #include "tools/files/log_files.h"
 #include "tools/output/gnuplot.h"
 #include "tools/output/metrics_output.h"
@@ -30,13 +31,19 @@ namespace {
 
 struct MeasureCommand {
   std::string log;
+  std::vector<std::string> more;
   std::string series;
   std::string plot;
   MeasureArguments over;
   std::vector<std::string> require;
   std::string pair;
   std::string against;
+  std::string propose;
+  std::string bounds;
   bool json = false;
+
+  /// Several runs, or one that is judged as one of several.
+  [[nodiscard]] bool of_runs() const { return !more.empty() || !propose.empty() || !bounds.empty(); }
 };
 
 Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::string>& texts) {
@@ -200,11 +207,30 @@ Result<Exit> measure(const MeasureCommand& options) {
   return pair ? judge("measure", *pair, verdict) : verdict;
 }
 
+Result<Exit> runs_of(const MeasureCommand& options) {
+  if (!options.series.empty() || !options.plot.empty() || !options.pair.empty() || !options.require.empty()) {
+    return bad_input(
+        "of several runs: found an option that takes one log (--series, --plot, --with or --require), wanted none; "
+        "--bounds FILE judges several");
+  }
+  const bool chosen = options.over.bodies != "all" || !options.over.axis.empty() || options.over.from_step;
+  if (!options.bounds.empty() && (chosen || !options.against.empty())) {
+    return bad_input(
+        "--bounds: found --bodies, --axis, --from-step or --against beside it, wanted none: each [[metric]] of the "
+        "file names its own");
+  }
+  RunsQuestion question = {{options.log}, options.over, options.against, options.propose, options.bounds, options.json};
+  question.logs.insert(question.logs.end(), options.more.begin(), options.more.end());
+  return measure_runs(question);
+}
+
 }  // namespace
 
 Action declare_measure(Arguments& arguments) {
   auto options = std::make_shared<MeasureCommand>();
   arguments.positional("LOG", options->log, "The log to measure").required();
+  arguments.positionals("MORE", options->more,
+                        "Further runs of one scene: tells how far each metric differs among them, and proposes bounds");
   arguments.option("--series", "FILE.csv", options->series, "Also write the metrics of every step to this CSV file");
   arguments.option("--plot", "FILE.svg|png", options->plot,
                    "Also draw energy, heights and overlap over time, with gnuplot");
@@ -219,7 +245,17 @@ Action declare_measure(Arguments& arguments) {
   arguments.option("--against", "LOG", options->against,
                    "Another session: also measure when a body is first further than D m from its place there, the "
                    "metric parting_time.D of --require");
-  arguments.json(options->json);
+  const Argument propose =
+      arguments
+          .option("--propose", "NAMES", options->propose,
+                  "Of several runs: print bounds for these metrics, joined by commas, as [[metric]] of metrics.toml; "
+                  "all: for each that has one")
+          .offers({"all"});
+  arguments
+      .option("--bounds", "FILE", options->bounds,
+              "Judge each run by the bounds of this metrics.toml, and count the runs that break each")
+      .excludes(propose);
+  arguments.json(options->json).excludes(propose);
   arguments.footer(
       "docs/metrics.md has the formula, unit and meaning of each metric.\n\n"
       "Examples:\n"
@@ -228,8 +264,11 @@ Action declare_measure(Arguments& arguments) {
       "  tumble measure brick_wall.tumble --plot wall.svg\n"
       "  tumble measure brick_wall.tumble --bodies wall --from-step 120\n"
       "  tumble measure brick_wall.tumble --require 'gain_ratio<=1e-3' --require 'lost<=0'\n"
-      "  tumble measure brick_wall.tumble --with mirrored.tumble");
-  return [options] { return measure(*options); };
+      "  tumble measure brick_wall.tumble --with mirrored.tumble\n"
+      "  tumble measure run_*.tumble\n"
+      "  tumble measure run_*.tumble --propose drift_max,final >> golden/cases/crates/metrics.toml\n"
+      "  tumble measure faulty_*.tumble --bounds golden/cases/crates/metrics.toml");
+  return [options] { return options->of_runs() ? runs_of(*options) : measure(*options); };
 }
 
 }  // namespace tumble::tools
