@@ -25,8 +25,8 @@ std::uint64_t runs_wanted(const CaseRules& rules, bool to_bless);
 
 /// Several runs of an engine's case, judged together (`repeat`). Where they differ, the engine does not repeat itself
 /// to the bit: the exact verdict fails, every metric has to hold its bounds in every run, its value is the median, and
-/// it has moved only where the median is farther from the blessed value than the runs are from one another. A bound that
-/// a run comes nearer to than that is named, for a further run may break it without any change.
+/// it has moved only where the median is farther from the blessed value than the runs are from one another. A bound
+/// that a run comes nearer to than that is named, for a further run may break it without any change.
 class RepeatedRuns {
  public:
   /// first: the log of the first run, which `judged` is the judgement of. All must outlive this object.

@@ -22,8 +22,8 @@ std::string sliding(double way, double load = 1) {
       "# engine: slider\n# dt: 0.01\n# up: y\n# length: cm\nstep,id,position.x,position.y,position.z,orientation.w,"
       "orientation.x,orientation.y,orientation.z,channel.load\n";
   for (int step = 0; step <= 20; ++step) {
-    text += std::to_string(step) + ",1," + std::to_string(way * step / 20) + ",50,0,1,0,0,0," + std::to_string(load) +
-            '\n';
+    text +=
+        std::to_string(step) + ",1," + std::to_string(way * step / 20) + ",50,0,1,0,0,0," + std::to_string(load) + '\n';
   }
   return text;
 }
@@ -104,9 +104,10 @@ TEST(Runs, ProposedBoundsHoldTheRunsAndCatchAFault) {
   const std::vector<std::string> logs = slide(shop, "run", {100, 104, 103});
   const Outcome proposed = measure(shop, logs, {"--propose", "drift_max,channel.load.max,lost"});
   ASSERT_EQ(proposed.exit, 0) << proposed.err;
-  EXPECT_NE(proposed.out.find("name = \"drift_max\"\nmin = 0.96\nmax = 1.08\nwhy = \"3 runs gave 1 m to 1.04 m; a change "
-                              "of up to 0.04 m may pass in every run, one of more than 0.08 m fails in every run\"\n"),
-            std::string::npos)
+  EXPECT_NE(
+      proposed.out.find("name = \"drift_max\"\nmin = 0.96\nmax = 1.08\nwhy = \"3 runs gave 1 m to 1.04 m; a change "
+                        "of up to 0.04 m may pass in every run, one of more than 0.08 m fails in every run\"\n"),
+      std::string::npos)
       << proposed.out;
   EXPECT_NE(proposed.out.find("any rise fails"), std::string::npos) << proposed.out;
   shop.write("bounds.toml", proposed.out);
@@ -198,8 +199,9 @@ TEST(Runs, AMetricThatIsNoNumberInARunHasNoBound) {
 TEST(Runs, ABoundThatRunsOfACaseComeNearerToThanToOneAnotherIsNamed) {
   const Workshop shop;
   shop.write("table.in", replaced(sliding(100), ",1.000000\n", ",@load\n"));
-  shop.write("engine.sh",
-             "n=$(cat count 2>/dev/null || echo 0); echo $(((n + 1) % 5)) >count\nsed \"s/@load/1.$n/\" table.in >\"$1\"\n");
+  shop.write(
+      "engine.sh",
+      "n=$(cat count 2>/dev/null || echo 0); echo $(((n + 1) % 5)) >count\nsed \"s/@load/1.$n/\" table.in >\"$1\"\n");
   shop.write("tumble.toml", "[engine]\nrun = \"sh engine.sh {log}\"\n");
   shop.write("golden/cases/load/setup.txt", "full");
   const auto rules = [&](const std::string& max) {
@@ -208,8 +210,9 @@ TEST(Runs, ABoundThatRunsOfACaseComeNearerToThanToOneAnotherIsNamed) {
                "name = \"channel.load.last\"\nvalue = 1.2\nmax = " +
                    max + "\nwhy = \"it bears no more\"\n");
   };
-  const std::string near = "near a bound: channel.load.last: a run is 0.1 from it, and the runs are up to 0.4 from one "
-                           "another";
+  const std::string near =
+      "near a bound: channel.load.last: a run is 0.1 from it, and the runs are up to 0.4 from one "
+      "another";
   rules("1.5");
   const Outcome blessed = shop.run({"bless", "load", "--reason", "a test"});
   ASSERT_EQ(blessed.exit, 0) << blessed.err;

@@ -18,6 +18,7 @@
 #include "src/base/text.h"
 #include "src/process/interrupt.h"
 #include "tools/compare/runs_output.h"
+#include "tools/compare/spread.h"
 #include "tools/files/log_files.h"
 #include "tools/output/progress.h"
 #include "tumble/replay/comparison_scope.h"
@@ -114,7 +115,8 @@ Status print_proposed(const RunsQuestion& question, const std::vector<MetricSpre
   std::string text;
   const std::string against = std::filesystem::path(question.against).filename().string();
   const auto add = [&](const MetricSpread& spread) {
-    text += (text.empty() ? "" : "\n") + toml_of(spread, question.over, spread.metric->needs_other_session() ? against : "");
+    text += (text.empty() ? "" : "\n") +
+            toml_of(spread, question.over, spread.metric->needs_other_session() ? against : "");
   };
   if (question.propose == "all") {
     for (const MetricSpread& spread : spreads) {
@@ -189,7 +191,8 @@ Result<golden::CaseRules> rules_of(const std::string& file, std::vector<std::str
     notes.push_back(file + ": " + rule.name + " compares with a transformed scene; tumble check judges it");
     return true;
   });
-  if (rules->metrics.empty()) return bad_input("--bounds: found no metric in " + file + " that a log has alone, wanted one at least");
+  if (rules->metrics.empty())
+    return bad_input("--bounds: found no metric in " + file + " that a log has alone, wanted one at least");
   return rules;
 }
 

@@ -35,7 +35,7 @@ void print_facts(const RunsFacts& facts) {
   Listing out;
   out.add("runs", facts.logs.size() == 1 ? runs
                   : facts.repeats()      ? runs + ", the same in every bit of their steps"
-                                         : runs + ", " + std::to_string(facts.different) + " different ones among them");
+                                    : runs + ", " + std::to_string(facts.different) + " different ones among them");
   if (!facts.axes.ours()) out.add("axes", to_string(facts.axes));
   out.section("");
   out.print();
@@ -99,12 +99,15 @@ void print_spreads(const RunsFacts& facts, const std::vector<MetricSpread>& spre
                bounded ? text(spread.room) : ""});
   }
   table.print();
-  std::cout << "\nunseen: a change of all runs by up to this may pass in every run; by more than this and the spread, it "
-               "fails in every run.\n";
+  std::cout
+      << "\nunseen: a change of all runs by up to this may pass in every run; by more than this and the spread, it "
+         "fails in every run.\n";
   if (facts.repeats()) return;
   const std::string runs = std::to_string(facts.logs.size()), further = std::to_string(facts.logs.size() + 1);
-  std::cout << "Sessions that came once: " << facts.once << " of " << runs << " runs. About as often a further run is one "
-            << "that was not seen; up to 2 times in " << further << " it is beyond\nthe least or the largest of a metric, so "
+  std::cout << "Sessions that came once: " << facts.once << " of " << runs
+            << " runs. About as often a further run is one "
+            << "that was not seen; up to 2 times in " << further
+            << " it is beyond\nthe least or the largest of a metric, so "
             << "the bounds are wider: by the spread, and by 1 % of the median at least.\n";
 }
 
@@ -142,20 +145,19 @@ void print_bounds(const RunsFacts& facts, const std::vector<JudgedBound>& bounds
     const replay::MetricRow& metric = *replay::find_metric(bound.rule.name);
     const MetricSpread spread = spread_of(metric, bound.values, true);
     const bool any = has_number(bound.values);
-    table.add({name_of(bound.rule), metric.unit_in(facts.axes),
-               bound_text(metric, facts.axes, bound.rule.min, bound.rule.max),
-               any ? text_of(metric, facts.axes, spread.least) : "none",
-               any ? text_of(metric, facts.axes, spread.largest) : "none",
-               bound.broken == 0 ? "in no run"
-                                 : "in " + std::to_string(bound.broken) + " of " + count_text(runs, "run")});
+    table.add(
+        {name_of(bound.rule), metric.unit_in(facts.axes),
+         bound_text(metric, facts.axes, bound.rule.min, bound.rule.max),
+         any ? text_of(metric, facts.axes, spread.least) : "none",
+         any ? text_of(metric, facts.axes, spread.largest) : "none",
+         bound.broken == 0 ? "in no run" : "in " + std::to_string(bound.broken) + " of " + count_text(runs, "run")});
   }
   table.print();
   std::cout << "\nbroken " << list_of(bounds, " in every run", [&](const JudgedBound& b) { return b.broken == runs; })
             << '\n';
   if (runs > 1) {
     std::cout << "       "
-              << list_of(bounds, " in some runs",
-                         [&](const JudgedBound& b) { return b.broken > 0 && b.broken < runs; })
+              << list_of(bounds, " in some runs", [&](const JudgedBound& b) { return b.broken > 0 && b.broken < runs; })
               << '\n';
   }
   std::cout << "       " << std::ranges::count(bounds, std::size_t{0}, &JudgedBound::broken) << " in no run\n";

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "tools/compare/runs.h"
+#include "tools/compare/spread.h"
+#include "tools/output/text.h"
 
 namespace tumble::tools {
 

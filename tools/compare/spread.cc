@@ -11,7 +11,7 @@
 namespace tumble::tools {
 namespace {
 
-constexpr double kLeastRoom = 0.01;       // of the median, where runs differ
+constexpr double kLeastRoom = 0.01;        // of the median, where runs differ
 constexpr double kLibrariesDiffer = 1e-9;  // of the value, where they do not; see replay::same_value()
 constexpr int kDigitsMax = 15;
 constexpr unsigned char kFirstPrintable = 0x20;
@@ -54,7 +54,8 @@ std::string in_runs(std::size_t some, std::size_t all) {
 
 std::string why_none(const MetricSpread& spread, std::size_t there, bool repeats) {
   const std::size_t runs = spread.values.size();
-  const auto null = static_cast<std::size_t>(std::ranges::count(spread.values, false, &std::optional<double>::has_value));
+  const auto null =
+      static_cast<std::size_t>(std::ranges::count(spread.values, false, &std::optional<double>::has_value));
   if (null > 0) return "no value" + in_runs(null, runs);
   if (there < runs) return "not finite" + in_runs(runs - there, runs);
   if (!repeats && !spread.metric->counts() && spread.least == 0 && spread.largest == 0) {
@@ -66,8 +67,8 @@ std::string why_none(const MetricSpread& spread, std::size_t there, bool repeats
 void propose(MetricSpread& spread, bool repeats) {
   const replay::MetricRow& metric = *spread.metric;
   const double size = std::max(std::fabs(spread.least), std::fabs(spread.largest));
-  const double room = repeats ? kLibrariesDiffer * size
-                              : std::max(spread.spread(), kLeastRoom * std::fabs(spread.median));
+  const double room =
+      repeats ? kLibrariesDiffer * size : std::max(spread.spread(), kLeastRoom * std::fabs(spread.median));
   double min = spread.least - room, max = spread.largest + room;
   if (metric.counts()) {
     min = std::floor(spread.least - (repeats ? 0 : room));

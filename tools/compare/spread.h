@@ -7,6 +7,8 @@
 
 #include "replay/measure/metric_list.h"
 #include "tools/arguments/measure_arguments.h"
+#include "tumble/golden/case_rules.h"
+#include "tumble/replay/imported_table.h"
 
 namespace tumble::tools {
 
@@ -26,6 +28,23 @@ struct MetricSpread {
   [[nodiscard]] double spread() const { return largest - least; }
   /// After a change beyond this, each of the runs is out of bounds.
   [[nodiscard]] double certain() const { return room + spread(); }
+};
+
+/// What all runs have in common.
+struct RunsFacts {
+  std::vector<std::string> logs;
+  replay::EngineAxes axes;
+  std::size_t different = 0;       ///< sessions among them no two of which agree in every bit
+  std::size_t once = 0;            ///< of these, those that came once: about as often a further run is a new one
+  std::vector<std::string> notes;  ///< for people
+  [[nodiscard]] bool repeats() const { return different == 1; }
+};
+
+/// A bound of a case, and what the runs gave for its metric. Lengths in m.
+struct JudgedBound {
+  golden::MetricRule rule;
+  std::vector<std::optional<double>> values;  ///< one a run
+  std::size_t broken = 0;                     ///< in how many runs
 };
 
 /// repeats: the runs agree in every bit.
