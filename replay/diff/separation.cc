@@ -7,6 +7,7 @@
 
 #include "replay/format/little_endian.h"
 #include "replay/format/not_finite.h"
+#include "replay/log/session_clock.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "tumble/replay/body_states.h"
@@ -105,6 +106,7 @@ class SeparationMeter {
       separation_.contacts_by_value = separation_.contacts_by_value || told;
     }
     compare(in_a.states, in_b.states);
+    compare_clocks(in_a.dt, in_b.dt);
     // States and hashes are stored apart, so a log can lie in one of them. Equal states need equal hashes, and the
     // reverse.
     if ((row_.bodies == 0) != (in_a.state_hash == in_b.state_hash)) return broken(a_.name, in_a, b_.name, in_b);
@@ -132,6 +134,17 @@ class SeparationMeter {
     std::string words = found->note.empty() ? field.substr(0, field.find('.')) : found->note;
     if (same_points(a, b, *found->pair)) words = "the same points in another order";
     separation_.first_contact = {*found->pair, std::move(words)};
+  }
+
+  /// dt of a step in each session, s.
+  void compare_clocks(double in_a, double in_b) {
+    clock_a_.add_step(in_a);
+    clock_b_.add_step(in_b);
+    if (in_a != in_b && !separation_.clocks) separation_.clocks = ClockSeparation{row_.step, 0, row_.step};
+    const double apart = std::fabs(clock_a_.now() - clock_b_.now());
+    if (!separation_.clocks || !(apart > separation_.clocks->largest)) return;
+    separation_.clocks->largest = apart;
+    separation_.clocks->largest_step = row_.step;
   }
 
   /// Walks both states by ascending id, as two sorted lists are merged.
@@ -190,6 +203,7 @@ class SeparationMeter {
   const SessionSteps& a_;
   const SessionSteps& b_;
   std::vector<std::pair<SharedChannel, ChannelSeparation>> channels_;
+  SessionClock clock_a_, clock_b_;
   SeparationRow row_;
   std::size_t next_mark_ = 0;
   Separation separation_;

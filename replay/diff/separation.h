@@ -71,12 +71,20 @@ struct ContactSeparation {
   std::string words;                         ///< "normal", "only the first log has this contact"
 };
 
+/// Steps are compared by their numbers. Where theirs differ in length, the states of one number are of other times.
+struct ClockSeparation {
+  std::uint64_t from = 0;  ///< the first step of another length
+  double largest = 0;      ///< s between the ends of two steps of one number, since the first step compared
+  std::uint64_t largest_step = 0;
+};
+
 struct Separation {
   std::vector<SeparationRow> rows;          ///< one a step, beginning with the first difference
   std::vector<SeparationMark> marks;        ///< those that were exceeded
   SeparationRow largest;                    ///< the row with the largest separation
   std::optional<LostBody> lost;             ///< the first one
   std::vector<ChannelSeparation> channels;  ///< those that differ in any step, by natural_less() of their names
+  std::optional<ClockSeparation> clocks;    ///< none: all steps have equal lengths in both
   // What there was to compare in any step of either session.
   bool compares_contacts = true;   ///< else none, not even by number: two engines count them otherwise
   bool had_contacts = false;       ///< pairs or contacts

@@ -110,6 +110,7 @@ commit "" first && commit "--fault 9" second && commit "--fault 9 " third && com
                                              "--bad",  "HEAD",   "a.tumble", "--timeout", "30"};
   const Outcome none = shop.run(question);
   EXPECT_EQ(none.exit, 2) << none.out;
+  EXPECT_TRUE(says(none.err, "run of tumble.toml: found {scene}")) << "nobody gave --run\n" << none.err;
   EXPECT_TRUE(says(none.err, "name the file by --scene")) << none.err;
   std::vector<std::string> with = question;
   with.insert(with.end(), {"--scene", "scene.txt"});
@@ -122,6 +123,28 @@ commit "" first && commit "--fault 9" second && commit "--fault 9 " third && com
   shop.write("project/tumble.toml", "[engine]\nrun = 'sh engine.sh scene.txt {log}'\n");
   with.back() = "scene.txt";
   EXPECT_TRUE(says(shop.run(with).err, "--scene: found no {scene}"));
+}
+
+// Runs that leave the log alike and part later: their difference from the log is one sentence, said once.
+TEST(EngineBisect, TwoRunsThatPartLaterAreNotTwoSentencesThatSayTheSame) {
+  const Workshop shop;
+  shop.write("project/tumble.toml", "[engine]\nshell = true\nrun = \"sh engine.sh {log}\"\n");
+  shop.write("project/.gitignore", "runs\n");
+  shop.write("project/engine.sh", "echo run >>'" + shop.path("runs") +
+                                      "'\nexec '" TUMBLE_TOY_ENGINE
+                                      "' --log \"$1\" --push 5:1:2 --push 20:2:$(wc -l <'" +
+                                      shop.path("runs") + "')\n");
+  const std::string history =
+      "cd '" + shop.path("project") +
+      "' && git init -q -b main && git add -A && git -c user.name=a -c user.email=a@b commit -qm "
+      "first && git -c user.name=a -c user.email=a@b commit --allow-empty -qm second";
+  ASSERT_EQ(std::system(("{ " + history + "\n} >'" + shop.path("said") + "' 2>&1").c_str()), 0) << shop.read("said");
+  record_toy(shop, "a.tumble");
+  const Outcome outcome =
+      shop.run({"bisect", "--repo", "project", "--good", "HEAD~1", "--bad", "HEAD", "a.tumble", "--timeout", "30"});
+  EXPECT_EQ(outcome.exit, 2) << outcome.out;
+  EXPECT_TRUE(says(outcome.err, "two runs: ")) << outcome.err;
+  EXPECT_TRUE(says(outcome.err, ", and each another way in later steps")) << outcome.err;
 }
 
 }  // namespace

@@ -227,5 +227,37 @@ TEST(Runs, ABoundThatRunsOfACaseComeNearerToThanToOneAnotherIsNamed) {
   EXPECT_EQ(far.out.find("nearer to"), std::string::npos) << far.out;
 }
 
+// Steps are compared by their numbers; a reader must know where these are not the same times.
+TEST(Runs, DiffSaysHowFarTheClocksOfTwoSessionsAreApart) {
+  const Workshop shop;
+  const auto falling = [&](const std::string& name, const std::vector<double>& lengths, double start) {
+    std::string text =
+        "# engine: faller\nstep,dt,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,"
+        "orientation.z\n";
+    for (std::size_t k = 0; k <= lengths.size(); ++k) {
+      text += std::to_string(k) + "," + std::to_string(lengths[k == 0 ? 0 : k - 1]) + ",1," +
+              std::to_string(start + static_cast<double>(k)) + ",0,1,1,0,0,0\n";
+    }
+    shop.write(name + ".csv", text);
+    EXPECT_EQ(shop.run({"import", name + ".csv", "-o", name + ".tumble", "--quiet"}).exit, 0);
+  };
+  falling("a", {0.25, 0.25, 0.25, 0.25, 0.25}, 0);
+  falling("b", {0.25, 0.25, 0.5, 0.125, 0.125}, 0);
+  falling("moved", {0.25, 0.25, 0.25, 0.25, 0.25}, 0.5);
+  const std::string text = shop.run({"diff", "a.tumble", "b.tumble"}).out;
+  EXPECT_NE(text.find("  clocks "), std::string::npos) << text;
+  EXPECT_NE(
+      text.find("up to 0.25 s apart (step 3): steps are compared by their numbers, and differ in length from step "
+                "3 on"),
+      std::string::npos)
+      << text;
+  const ordered_json clocks = parsed(shop.run({"diff", "a.tumble", "b.tumble", "--json"}))["aftermath"]["clocks"];
+  EXPECT_EQ(clocks["from"], 3);
+  EXPECT_EQ(clocks["largest"], 0.25);
+  EXPECT_EQ(clocks["largest_step"], 3);
+  EXPECT_TRUE(parsed(shop.run({"diff", "a.tumble", "moved.tumble", "--json"}))["aftermath"]["clocks"].is_null());
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "moved.tumble"}).out.find("clocks"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tumble::test

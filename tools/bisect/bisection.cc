@@ -99,8 +99,10 @@ class Bisection {
       other = differ(tested.answer, answer) || (answer.asked && answer.yes) ? answer.message : answer.other;
     }
     if (other.empty() && tested.answer.not_repeatable.empty()) return {};
-    const std::string runs =
-        other.empty() ? tested.answer.not_repeatable : "one run: " + tested.answer.message + "; another: " + other;
+    const std::string& one = tested.answer.message;
+    const std::string runs = other.empty()  ? tested.answer.not_repeatable
+                             : other == one ? "two runs: " + one + ", and each another way in later steps"
+                                            : "one run: " + one + "; another: " + other;
     return bad_input("the " + std::string(end == 0 ? "good" : "bad") + " revision " + tested.commit.shortly() +
                      " is not repeatable: its own sessions differ from each other (" + runs +
                      "), so no revision can be told from it by this question (" + settings_.question() +

@@ -72,7 +72,8 @@ Status Recording::prepare() {
   files_.scene = settings_.scene;
   if (header.goes_on || header.scene_text.empty()) {
     if (settings_.run.find("{scene}") != std::string::npos && settings_.engine_scene.empty() && files_.scene.empty()) {
-      return bad_input("--run: found {scene}, and " + settings_.log +
+      return bad_input((settings_.has_project ? "run of tumble.toml" : "--run") + std::string(": found {scene}, and ") +
+                       settings_.log +
                        " holds no scene text to put there; name the file by --scene, or each revision's own by scene = "
                        "\"…\" under [engine] of tumble.toml, a path from its folder; leave {scene} out, or record the "
                        "log from a scene");

@@ -183,6 +183,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   listing.add("  largest separation", separation_text(separation.largest, sides) + ", step " +
                                           std::to_string(separation.largest.step) + of_both);
   listing.add("  separation at the end", separation_text(separation.rows.back(), sides) + of_both);
+  if (separation.clocks) listing.add("  clocks", clocks_text(*separation.clocks));
   listing.add("  contacts", contacts_text(separation, sides));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from) {
@@ -223,6 +224,7 @@ Json growth_json(const replay::DivergenceGrowth& growth) {
     json["first_contact"] = {{"bodies", {first->pair.first, first->pair.second}}, {"difference", first->words}};
   json["freezing_from"] = step_or_null(separation.freezing_from);
   json["bodies_from"] = step_or_null(separation.bodies_from);
+  json["clocks"] = clocks_json(separation.clocks);
   json["channels"] = Json::array();
   for (const replay::ChannelSeparation& channel : separation.channels)
     json["channels"].push_back(channel_separation_json(channel));

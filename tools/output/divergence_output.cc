@@ -174,6 +174,17 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
   listing.print();
 }
 
+std::string clocks_text(const replay::ClockSeparation& clocks) {
+  return "up to " + rounded(clocks.largest, "s") + " apart (step " + std::to_string(clocks.largest_step) +
+         "): steps are compared by their numbers, and differ in length from step " + std::to_string(clocks.from) +
+         " on";
+}
+
+Json clocks_json(const std::optional<replay::ClockSeparation>& clocks) {
+  if (!clocks) return nullptr;
+  return {{"from", clocks->from}, {"largest", number_json(clocks->largest)}, {"largest_step", clocks->largest_step}};
+}
+
 std::string read_of(const replay::LogReader& a, const replay::LogReader& b) {
   const bool sound = a.condition().sound() && b.condition().sound();
   return sound ? "every byte of both logs" : "the intact part of both logs";

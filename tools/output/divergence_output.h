@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "replay/diff/separation.h"
 #include "tools/output/text.h"
 #include "tumble/replay/compare.h"
 #include "tumble/replay/comparison_scope.h"
@@ -50,6 +51,10 @@ void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence&
 
 /// Prints the first difference for people, in a few aligned lines.
 void print_divergence(const replay::Divergence& first, const Sides& sides);
+
+/// How far the clocks of two sessions with steps of other lengths are apart. None: null.
+std::string clocks_text(const replay::ClockSeparation& clocks);
+Json clocks_json(const std::optional<replay::ClockSeparation>& clocks);
 
 /// The bytes that a comparison of two logs from end to end has read.
 std::string read_of(const replay::LogReader& a, const replay::LogReader& b);
