@@ -6,6 +6,7 @@
 namespace tumble::replay {
 
 Result<const StepRecord*> StateSource::read(std::uint64_t k) {
+  if (player_ && record_.has_states && record_.step == k) return &record_;
   Result<const StepRecord*> stored = log_->read_step(k);
   if (!stored.ok() || (*stored)->has_states) return stored;
   record_ = **stored;

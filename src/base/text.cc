@@ -137,6 +137,8 @@ std::string found_wanted(std::string_view found, std::string_view wanted) {
 }
 
 std::string printable(std::string_view text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
+  if (std::ranges::all_of(text, is_plain)) return std::string(text);  // as almost all text is
   std::string out;
   out.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "tests/support/program.h"
 #include "tests/tools/json_output.h"
+#include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::test {
@@ -89,6 +91,57 @@ TEST(Program, InfoTellsWhatALogHolds) {
   EXPECT_EQ(json["moving_body_steps"], 2 * 40 + 36);
   EXPECT_EQ(json["whole"], true);
   EXPECT_EQ(json["final_hash"], parsed(shop.run({"measure", "s.tumble", "--json"}))["final_hash"]);
+}
+
+// A table of more rows than are kept is printed as it is read, and looks like a short one.
+TEST(Program, ALongDumpIsAlignedFromItsFirstLine) {
+  const Workshop shop;
+  shop.record_small("s", {"--steps", "9000"});
+  const Outcome all = shop.run({"dump", "s.tumble", "--steps", "0:9000"});
+  ASSERT_EQ(all.exit, 0) << all.err;
+  std::istringstream lines(all.out);
+  std::string header, line;
+  std::getline(lines, header);
+  EXPECT_TRUE(header.starts_with("step  body")) << header;
+  const std::size_t end = header.find("qz") + 2;
+  std::size_t rows = 0;
+  while (std::getline(lines, line) && !line.starts_with("Rounded")) {
+    ++rows;
+    ASSERT_EQ(line.substr(0, end).find_last_not_of(' ') + 1, end) << line;
+    ASSERT_TRUE(line.size() == end || line.substr(end) == "  frozen") << line;
+  }
+  EXPECT_EQ(rows, 2U * 5 + 3U * 8996) << "the third body comes before step 5";
+  EXPECT_TRUE(line.starts_with("Rounded; --csv and --json print every bit.")) << line;
+  const std::string last = shop.run({"dump", "s.tumble", "--steps", "8000:9000"}).out;
+  const auto rows_of = [](const std::string& text) {  // without blanks, for fewer rows have narrower columns
+    std::string behind = text.substr(text.find("\n8000 "));
+    std::erase(behind, ' ');
+    return behind;
+  };
+  EXPECT_TRUE(rows_of(all.out) == rows_of(last));
+}
+
+TEST(LongTable, KeepsFewRowsAndPrintsMoreAsTheyComeAgain) {
+  for (const std::size_t rows : {std::size_t{3}, tools::LongTable::kKeptMax, tools::LongTable::kKeptMax + 1}) {
+    const auto row = [&](std::size_t i) {
+      return std::vector<std::string>{std::to_string(i), i + 1 == rows ? "widest" : "w", "end"};
+    };
+    tools::Table kept({">row", "width", "end"});
+    tools::LongTable table({">row", "width", "end"});
+    testing::internal::CaptureStdout();
+    for (std::size_t i = 0; i < rows; ++i) table.add(row(i));
+    if (!table.print()) {
+      EXPECT_GT(rows, tools::LongTable::kKeptMax);
+      for (std::size_t i = 0; i < rows; ++i) table.add(row(i));
+    }
+    std::cout.flush();
+    const std::string printed = testing::internal::GetCapturedStdout();
+    for (std::size_t i = 0; i < rows; ++i) kept.add(row(i));
+    testing::internal::CaptureStdout();
+    kept.print();
+    std::cout.flush();
+    EXPECT_EQ(printed, testing::internal::GetCapturedStdout()) << rows << " rows";
+  }
 }
 
 }  // namespace

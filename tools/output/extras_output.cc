@@ -187,7 +187,7 @@ std::vector<std::string> TableExtras::left_out_of(const replay::Extras& extras,
 }
 
 void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body,
-                    Table& table) {
+                    LongTable& table) {
   const auto& [axes, declared, bodies, listed] = told;
   for (const std::size_t i : listed) {
     const auto& [name, type, unit] = declared.channels[i];

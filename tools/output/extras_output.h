@@ -73,7 +73,8 @@ class TableExtras {
 };
 
 /// For people: the lines "step, channel, of, value" of one step. body: only of this one; 0: all.
-void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body, Table& table);
+void add_extra_rows(const Told& told, std::uint64_t step, const replay::Extras& extras, sim::BodyId body,
+                    LongTable& table);
 
 /// Adds a row {name, a, b, same} a channel that both logs compare, and one for contacts: the first value that differs,
 /// or the number of values.

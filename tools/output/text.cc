@@ -65,34 +65,59 @@ void Listing::print() const {
   }
 }
 
-Table::Table(std::vector<std::string> header) {
+TableColumns::TableColumns(std::vector<std::string> header) {
   for (std::string& name : header) {
     right_.push_back(name.starts_with('>'));
     if (right_.back()) name.erase(0, 1);
+    name = printable(name);
   }
-  add(std::move(header));
+  header_ = std::move(header);
+  widths_.resize(header_.size());
+  fit(header_);
+}
+
+void TableColumns::fit(const std::vector<std::string>& row) {
+  SIM_CHECK(row.size() <= widths_.size(), row.size(), widths_.size());
+  for (std::size_t k = 0; k < row.size(); ++k) widths_[k] = std::max(widths_[k], columns(row[k]));
+}
+
+void TableColumns::print(const std::vector<std::string>& row) const {
+  std::string line;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (k > 0) line += "  ";
+    line += right_[k] ? padded_left(row[k], widths_[k]) : padded(row[k], widths_[k]);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  std::cout << line << '\n';
 }
 
 void Table::add(std::vector<std::string> row) {
   for (std::string& cell : row) cell = printable(cell);
+  columns_.fit(row);
   rows_.push_back(std::move(row));
 }
 
 void Table::print() const {
-  std::vector<std::size_t> widths(right_.size(), 0);
-  for (const auto& row : rows_) {
-    SIM_CHECK(row.size() <= widths.size(), row.size(), widths.size());
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], columns(row[k]));
+  columns_.print_header();
+  for (const auto& row : rows_) columns_.print(row);
+}
+
+void LongTable::add(std::vector<std::string> row) {
+  for (std::string& cell : row) cell = printable(cell);
+  if (again_) {
+    columns_.print(row);
+    return;
   }
-  for (const auto& row : rows_) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (k > 0) line += "  ";
-      line += right_[k] ? padded_left(row[k], widths[k]) : padded(row[k], widths[k]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    std::cout << line << '\n';
-  }
+  columns_.fit(row);
+  if (++rows_ <= kKeptMax) kept_.push_back(std::move(row));
+  if (rows_ == kKeptMax + 1) kept_ = {};
+}
+
+bool LongTable::print() {
+  columns_.print_header();
+  for (const auto& row : kept_) columns_.print(row);
+  again_ = rows_ > kKeptMax;
+  return !again_;
 }
 
 }  // namespace tumble::tools

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -38,17 +39,52 @@ class Listing {
   std::vector<std::pair<std::string, std::string>> lines_;
 };
 
-/// A table with a header; columns are as wide as they need to be. Cells are printed as printable() has them.
-class Table {
+/// The header of a table and the widths of its columns, which are as wide as they need to be. Cells are printed as
+/// printable() has them.
+class TableColumns {
  public:
   /// A name that begins with '>' makes a column of numbers, aligned on the right.
-  explicit Table(std::vector<std::string> header);
+  explicit TableColumns(std::vector<std::string> header);
+  /// Makes the columns wide enough for a row.
+  void fit(const std::vector<std::string>& row);
+  void print_header() const { print(header_); }
+  void print(const std::vector<std::string>& row) const;
+
+ private:
+  std::vector<std::string> header_;
+  std::vector<bool> right_;
+  std::vector<std::size_t> widths_;
+};
+
+/// A table of rows that are all kept.
+class Table {
+ public:
+  /// As TableColumns.
+  explicit Table(std::vector<std::string> header) : columns_(std::move(header)) {}
   void add(std::vector<std::string> row);
   void print() const;
 
  private:
-  std::vector<bool> right_;
-  std::vector<std::vector<std::string>> rows_;  // the header first
+  TableColumns columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// A table of any number of rows, in bounded memory. Its rows are added once; where they are too many to be kept, they
+/// have to be added a second time, in the same order, and are printed as they come.
+class LongTable {
+ public:
+  static constexpr std::size_t kKeptMax = 20'000;  ///< about 10 MB of a table with 16 columns
+
+  explicit LongTable(std::vector<std::string> header) : columns_(std::move(header)) {}
+  void add(std::vector<std::string> row);
+  /// After all rows were added once. True: the table is printed. False: its header is, and the rows have to come again.
+  bool print();
+
+ private:
+  TableColumns columns_;
+  std::vector<std::vector<std::string>> kept_;  // all rows, or none
+  std::size_t rows_ = 0;
+  bool again_ = false;  // rows come the second time
 };
 
 }  // namespace tumble::tools
