@@ -20,8 +20,9 @@ namespace {
 /// phases, counters and inputs.
 class Diff {
  public:
-  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading, std::uint64_t until)
-      : a_(a), b_(b), tolerances_(tolerances), reading_(reading), until_(until) {
+  Diff(LogReader& a, LogReader& b, CheckedLogs& checked, const Tolerances& tolerances = {},
+       Reading reading = Reading::kAll, std::uint64_t until = kNoLimit)
+      : a_(a), b_(b), checked_(checked), tolerances_(tolerances), reading_(reading), until_(until) {
     states_only_ = are_two_engines(a.header(), b.header());
     same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
     if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
@@ -47,7 +48,9 @@ class Diff {
     if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
     if (report_.first) return finished();
-    Result<std::uint64_t> same = last_known_same(from, last);
+    const bool one_chain = same_words_ && channels_.equal && a_.header().hashes == b_.header().hashes;
+    const Result<std::uint64_t> same =  // chains cover phase words and channels
+        one_chain ? last_of_one_chain(a_, b_, from, last) : Result<std::uint64_t>(from);
     if (!same.ok()) return same.error();
     for (std::uint64_t k = *same + 1; k <= last && !report_.first; ++k) {
       if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) continue;
@@ -73,16 +76,17 @@ class Diff {
   /// Reads every byte of both logs: an answer speaks of nothing that was not read.
   Status check_both(const Progress& progress) {
     if (reading_ == Reading::kHashes) return {};
-    Result<VerifyReport> in_a = check_log(a_, progress);
+    const Result<const VerifyReport*> in_a = checked_.check(a_, progress);
     if (!in_a.ok()) return in_a.error();
-    Result<VerifyReport> in_b = check_log(b_, progress);
+    const Result<const VerifyReport*> in_b = checked_.check(b_, progress);
     if (!in_b.ok()) return in_b.error();
-    if (in_a->lost) report_.notes.push_back(a_.name() + ": " + to_string(*in_a->lost, a_.header().axes()));
-    if (in_b->lost) report_.notes.push_back(b_.name() + ": " + to_string(*in_b->lost, b_.header().axes()));
-    no_contacts_ = !in_a->has_contacts || !in_b->has_contacts;
-    leave_out_contacts(in_a->has_contacts, in_b->has_contacts);
-    keyframes_a_ = std::move(in_a->keyframes);
-    keyframes_b_ = std::move(in_b->keyframes);
+    const VerifyReport &of_a = **in_a, &of_b = **in_b;
+    if (of_a.lost) report_.notes.push_back(a_.name() + ": " + to_string(*of_a.lost, a_.header().axes()));
+    if (of_b.lost) report_.notes.push_back(b_.name() + ": " + to_string(*of_b.lost, b_.header().axes()));
+    no_contacts_ = !of_a.has_contacts || !of_b.has_contacts;
+    leave_out_contacts(of_a.has_contacts, of_b.has_contacts);
+    keyframes_a_ = of_a.keyframes;
+    keyframes_b_ = of_b.keyframes;
     return {};
   }
 
@@ -155,34 +159,6 @@ class Diff {
       report_.scope.not_compared.push_back("all behind step " + std::to_string(until_) + ", as asked");
     }
     return std::move(report_);
-  }
-
-  /// The last step up to which the chains of both logs agree, among the steps at which log A ends a chunk. A chain
-  /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
-  /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
-  [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
-    const bool one_chain = same_words_ && channels_.equal && a_.header().hashes == b_.header().hashes;
-    if (!one_chain) return from;  // chains cover phase words and channels
-    const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
-    if (!chain_a.ok() || !chain_b.ok()) return chain_a.ok() ? chain_b.error() : chain_a.error();
-    if (*chain_a != *chain_b) return from;
-    const std::vector<ChunkPlace>& chunks = a_.chunks();
-    const auto ends_by = [](std::uint64_t step, const ChunkPlace& place) { return step < place.end_step() - 1; };
-    auto low =
-        std::upper_bound(chunks.begin(), chunks.end(), from, ends_by);  // all chunks before it are known to be equal
-    auto high = std::upper_bound(chunks.begin(), chunks.end(), last, ends_by);
-    std::uint64_t same = from;
-    while (low < high) {
-      const auto middle = low + (high - low) / 2;
-      const Result<Hash128> other = b_.chain_at(middle->end_step() - 1);  // no answer where a record is damaged
-      if (other.ok() && *other == middle->chain_after) {
-        same = middle->end_step() - 1;
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return same;
   }
 
   /// Compares the first states of both, without the inputs and phases that led there.
@@ -270,6 +246,7 @@ class Diff {
 
   LogReader& a_;
   LogReader& b_;
+  CheckedLogs& checked_;
   Tolerances tolerances_;
   Reading reading_;
   std::uint64_t until_;  // the last step to compare
@@ -294,7 +271,12 @@ Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& toler
     if (tolerances.exact() || !holds_hashes_only(log->header())) continue;
     return bad_input(log->name() + ": holds hashes only, wanted values: tolerances cannot be judged");
   }
-  return Diff(a, b, tolerances, reading, until).run(progress);
+  CheckedLogs checked;
+  return Diff(a, b, checked, tolerances, reading, until).run(progress);
+}
+
+Result<DiffReport> diff_logs(CheckedLogs& checked, LogReader& a, LogReader& b, const Progress& progress) {
+  return Diff(a, b, checked).run(progress);
 }
 
 }  // namespace tumble::replay

@@ -15,6 +15,8 @@
 
 namespace tumble::replay {
 
+class CheckedLogs;  // replay/log/checked_log.h
+
 /// The part of two logs that a comparison reads.
 enum class Reading : std::uint8_t {
   kAll,     ///< every byte of both
@@ -62,5 +64,8 @@ struct DiffReport {
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances = {},
                              const Progress& progress = {}, Reading reading = Reading::kAll,
                              std::uint64_t until = kNoLimit);
+
+/// diff_logs() of one exact comparison among many: a log that `checked` knows is not read from end to end again.
+Result<DiffReport> diff_logs(CheckedLogs& checked, LogReader& a, LogReader& b, const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -25,4 +25,11 @@ Result<VerifyReport> check_log(LogReader& log, const Progress& progress) {
                  "; 'tumble info' lists them, 'tumble recover' saves the rest");
 }
 
+Result<const VerifyReport*> CheckedLogs::check(LogReader& log, const Progress& progress) {
+  if (const auto at = reports_.find(&log); at != reports_.end()) return &at->second;
+  Result<VerifyReport> report = check_log(log, progress);
+  if (!report.ok()) return report.error();
+  return &(reports_[&log] = *std::move(report));
+}
+
 }  // namespace tumble::replay

@@ -143,4 +143,30 @@ void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>
   }
 }
 
+// A chain value is a hash over all steps before, so two chains that differ once never agree again: a binary search
+// finds the place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is
+// decoded.
+Result<std::uint64_t> last_of_one_chain(LogReader& a, LogReader& b, std::uint64_t from, std::uint64_t last) {
+  const Result<Hash128> chain_a = a.chain_at(from), chain_b = b.chain_at(from);
+  if (!chain_a.ok() || !chain_b.ok()) return chain_a.ok() ? chain_b.error() : chain_a.error();
+  if (*chain_a != *chain_b) return from;
+  const std::vector<ChunkPlace>& chunks = a.chunks();
+  const auto ends_by = [](std::uint64_t step, const ChunkPlace& place) { return step < place.end_step() - 1; };
+  auto low =
+      std::upper_bound(chunks.begin(), chunks.end(), from, ends_by);  // all chunks before it are known to be equal
+  auto high = std::upper_bound(chunks.begin(), chunks.end(), last, ends_by);
+  std::uint64_t same = from;
+  while (low < high) {
+    const auto middle = low + (high - low) / 2;
+    const Result<Hash128> other = b.chain_at(middle->end_step() - 1);  // no answer where a record is damaged
+    if (other.ok() && *other == middle->chain_after) {
+      same = middle->end_step() - 1;
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return same;
+}
+
 }  // namespace tumble::replay

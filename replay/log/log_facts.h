@@ -52,4 +52,8 @@ bool tells_contacts(LogReader& log);
 /// another shape in the other. Reads both logs for them. Bodies that one log alone has are a difference of states.
 void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts);
 
+/// The last step up to which the chains of two logs agree, among the steps from..last at which log A ends a chunk; both
+/// chains must cover the same. Errors: as LogReader::chain_at() of `from`.
+Result<std::uint64_t> last_of_one_chain(LogReader& a, LogReader& b, std::uint64_t from, std::uint64_t last);
+
 }  // namespace tumble::replay

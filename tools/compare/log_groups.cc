@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "replay/log/checked_log.h"
 #include "src/process/interrupt.h"
 #include "tools/files/log_files.h"
 #include "tools/output/difference_output.h"
@@ -57,7 +58,7 @@ class Grouping {
     std::ranges::copy_if(group.logs, std::back_inserter(members), [&](std::size_t i) { return i != group.longest; });
     for (const std::size_t member : members) {
       if (member == log || (member != group.longest && !partial_)) continue;
-      const Result<replay::DiffReport> report = replay::diff_logs(logs_[member], logs_[log], {}, progress_);
+      const Result<replay::DiffReport> report = replay::diff_logs(checked_, logs_[member], logs_[log], progress_);
       if (!report.ok()) return report.error();
       if (report->first) return false;
       if (result_.not_in_all.empty() && !report->only_in.empty()) {
@@ -109,7 +110,7 @@ class Grouping {
     for (std::size_t g = 1; g < result_.groups.size(); ++g) {
       LogGroup& group = result_.groups[g];
       replay::LogReader &major = logs_[result_.groups[0].longest], &odd = logs_[group.longest];
-      Result<replay::DiffReport> report = replay::diff_logs(major, odd, {}, progress_);
+      Result<replay::DiffReport> report = replay::diff_logs(checked_, major, odd, progress_);
       if (!report.ok()) return report.error();
       group.against = *std::move(report);
       if (!group.against.first) continue;
@@ -124,6 +125,7 @@ class Grouping {
 
   std::vector<replay::LogReader>& logs_;
   const replay::Progress& progress_;
+  replay::CheckedLogs checked_;
   LogGroups result_;
   replay::CommonScope scope_;  // of the logs that agree
   bool partial_ = false;       // two logs that agree do not share everything
