@@ -10,6 +10,7 @@
 #include "replay/codec/chunk_codec.h"
 #include "replay/format/chain.h"
 #include "replay/format/limits.h"
+#include "replay/log/record_reader.h"
 #include "replay/log/record_writer.h"
 #include "replay/recover/salvage.h"
 #include "replay/session/boxes_at.h"
@@ -114,15 +115,22 @@ class Recovery {
     header.goes_on = {keyframe.state.step, source_.name(), keyframe.continuation_hash, chain};
   }
 
-  /// Declares channels by their numbers: their names were in the header alone.
-  static void declare_channels(const ChunkDecoder& chunk, Declared& declared) {
+  /// Adds the channels of a chunk, without names: these were in the header alone.
+  static void add_channels(const ChunkDecoder& chunk, Declared& declared) {
     for (const auto& [index, type] : chunk.channels()) {
-      while (declared.channels.size() <= index) {
-        const std::string number = std::to_string(declared.channels.size());
-        declared.channels.push_back(
-            {"channel " + std::string(4 - std::min<std::size_t>(number.size(), 4), '0') + number, {}});
-      }
+      if (declared.channels.size() <= index) declared.channels.resize(index + 1);
       declared.channels[index].type = type;
+    }
+  }
+
+  /// Names channels by their numbers, all with as many digits as the last one needs, four at least: a header has its
+  /// channels by ascending names.
+  static void name_channels(Declared& declared) {
+    constexpr std::size_t kDigitsMin = 4;
+    const std::size_t digits = std::max(kDigitsMin, std::to_string(declared.channels.size() - 1).size());
+    for (std::size_t i = 0; i < declared.channels.size(); ++i) {
+      const std::string number = std::to_string(i);
+      declared.channels[i].name = "channel " + std::string(digits - number.size(), '0') + number;
     }
   }
 
@@ -145,7 +153,7 @@ class Recovery {
       if (!decoder.ok()) return decoder.error();
       const Keyframe& begin = decoder->keyframe();
       phases_fit = phases_fit && sim::continuation_hash(begin.state) == begin.continuation_hash;
-      declare_channels(*decoder, header.declared);
+      add_channels(*decoder, header.declared);
       if (chunk.prelude.major == kFormatMajor && chunk.prelude.minor < kMinorOfPhaseHashVersion)
         header.phase_hash_version = 1;
       for (std::size_t i = 0; i < decoder->step_count(); ++i) {
@@ -156,6 +164,7 @@ class Recovery {
         for (const sim::Command& command : step.inputs) header.scene.inputs.push_back({step.step, command});
       }
     }
+    if (!header.declared.channels.empty()) name_channels(header.declared);
     header.states.every = with_states <= sim::kStepsMax ? static_cast<std::uint32_t>(with_states) : 0;
     header.hashes.every = with_words <= sim::kStepsMax ? static_cast<std::uint32_t>(with_words) : 0;
     if (phases_fit) return header;
@@ -177,7 +186,10 @@ Error nothing_left(const ByteSource& source, const Salvage& left) {
   const auto start = std::span(bytes).first(std::min<std::uint64_t>(source.size(), kMagicEnd));
   const bool was_log = left.header || source.size() == 0 || !source.read(0, start).ok() || starts_like_log(start) ||
                        nearly_starts_like_log(start);
-  if (!was_log) return bad_input(source.name() + ": is not a log: nothing in it is one; was another file meant?");
+  if (!was_log) {  // which reading it says
+    const Result<HeaderRecord> header = RecordReader(source).read_header();
+    return header.ok() ? bad_input(source.name() + ": is not a log") : header.error();
+  }
   return damaged(source.name() + ": nothing of the session can be saved: found not one whole chunk in " +
                  std::to_string(source.size()) + " bytes");
 }
