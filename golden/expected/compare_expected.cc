@@ -89,7 +89,6 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
       in_binary32_(replay::in_binary32(header, header)),
       axes_(replay::common_axes(header, header)),
       shapes_(header) {
-  names_.add(header.declared.bodies, {});
   if (expected.method != header.method || expected.method_version != header.method_version) {
     notes_.push_back("blessed with method " + expected.method + " version " + number(expected.method_version) +
                      ", run with " + header.method + " version " + number(header.method_version));
@@ -120,7 +119,7 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
 /// What was done before the step may be why it differs, and says more than its phase.
 void ExpectedComparer::note_told(const replay::StepRecord& record) {
   if (first_ && first_->step == record.step && expected_.setup) {
-    first_->told = step_difference(*expected_.setup, record);
+    first_->told = step_difference(*expected_.setup, record, shapes_.names());
   }
 }
 
@@ -144,9 +143,9 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
     note_first(record.step, record.step == 0 ? "start" : "step");
     if (!first_->states_from) first_->states_from = record.step;
   }
+  shapes_.add(record);  // names the bodies that appear in this step
   if (extras_) compare_extras(record);
   note_told(record);
-  shapes_.add(record);
   if (first_ && first_->states_from) look_closer(record);
   follow_state(record);
   follow_track(record);
@@ -164,7 +163,8 @@ void ExpectedComparer::compare_extras(const replay::StepRecord& record) {
   note_first(record.step, extra_fields_.front());
   for (const std::string& field : fields) {
     if (extra_details_.size() == kExtrasNamed) break;
-    if (std::string text = extras_->detail(field, record); !text.empty()) extra_details_.push_back(std::move(text));
+    if (std::string text = extras_->detail(field, record, shapes_.names()); !text.empty())
+      extra_details_.push_back(std::move(text));
   }
 }
 
@@ -206,7 +206,7 @@ void ExpectedComparer::compare_words(const replay::StepRecord& record) {
 void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (bodies_detail_.empty()) {
     if (const BodyHashes* wanted = at_step(expected_.body_hashes, record.step)) {
-      bodies_detail_ = different_bodies(*wanted, hash_bodies(record.step, record.states), names_);
+      bodies_detail_ = different_bodies(*wanted, hash_bodies(record.step, record.states), shapes_.names());
     }
   }
   if (!field_detail_.empty()) return;
@@ -224,7 +224,7 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
                     (is_gone ? " is in the golden and not there" : " is there and not in the golden");
     return;
   }
-  const std::string body = divergence->body ? names_.text(*divergence->body) + ", " : "";
+  const std::string body = divergence->body ? shapes_.names().text(*divergence->body) + ", " : "";
   field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + size + ": expected " +
                   replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);
   if (divergence->ulps) field_detail_ += " (" + count_text(*divergence->ulps, "ULP") + " apart)";
@@ -291,7 +291,7 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
   if (apart_.metres > 0) {
     first_->apart = apart_;
     first_->details.insert(first_->details.begin(), "largest distance from an expected position: " +
-                                                        describe(apart_, names_) + ", of the steps kept");
+                                                        describe(apart_, shapes_.names()) + ", of the steps kept");
   }
   return first_;
 }

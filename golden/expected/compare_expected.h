@@ -83,7 +83,6 @@ class ExpectedComparer {
   std::optional<ExtrasComparer> extras_;  // none: the golden is older than channels
   bool in_binary32_;                      // ULPs are those of floats
   replay::EngineAxes axes_;               // that name fields
-  replay::BodyTable names_;
   ShapesKeeper shapes_;
   std::optional<FirstDifference> first_;
   std::uint64_t steps_ = 0;

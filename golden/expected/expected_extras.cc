@@ -139,7 +139,8 @@ std::vector<std::string> ExtrasComparer::differing(const replay::StepRecord& rec
   return fields;
 }
 
-std::string ExtrasComparer::detail(const std::string& field, const replay::StepRecord& record) const {
+std::string ExtrasComparer::detail(const std::string& field, const replay::StepRecord& record,
+                                   const replay::BodyTable& names) const {
   if (field == kContacts) {
     return "at step " + std::to_string(record.step) + ", " + count_text(record.extras.contacts.size(), "contact") +
            ": one at least has another value, or there were others";
@@ -165,10 +166,12 @@ std::string ExtrasComparer::detail(const std::string& field, const replay::StepR
   const std::optional<replay::Divergence> found = first_extra_difference(match, wanted, record, {});
   if (!found) return "";
   std::string of;
-  if (found->body) of = " of body " + std::to_string(*found->body);
+  if (found->body) of = " of " + names.text(*found->body);
   if (found->pair) {
-    of = " of the pair " + std::to_string(found->pair->first) + " and " +
-         (found->pair->second == 0 ? "the world" : std::to_string(found->pair->second));
+    constexpr std::size_t kWord = 5;  // bytes of "body "
+    const auto text = [&](sim::BodyId id) { return names.text(id).substr(kWord); };
+    of = " of the pair " + text(found->pair->first) + " and " +
+         (found->pair->second == 0 ? "the world" : text(found->pair->second));
   }
   std::string text = "at step " + std::to_string(record.step) + ", " + field + of + ": expected " +
                      replay::to_string(found->expected) + ", actual " + replay::to_string(found->actual);

@@ -95,9 +95,10 @@ class ExtrasComparer {
   /// The fields of a step that differ, by name; the contacts last.
   [[nodiscard]] std::vector<std::string> differing(const replay::StepRecord& record) const;
 
-  /// Both values of a field, where the golden keeps that step's and they differ: "at step 12, channel.knee of body 2:
-  /// expected 0.22, actual 0.2200001 (3602879702 ULPs apart)". Else empty.
-  [[nodiscard]] std::string detail(const std::string& field, const replay::StepRecord& record) const;
+  /// Both values of a field, where the golden keeps that step's and they differ: "at step 12, channel.knee of body 2
+  /// (shin): expected 0.22, actual 0.2200001 (3602879702 ULPs apart)". Else empty.
+  [[nodiscard]] std::string detail(const std::string& field, const replay::StepRecord& record,
+                                   const replay::BodyTable& names) const;
 
   /// The golden's channels that the session lacks or has in another type, a sentence each: "channel.knee: the session
   /// has no such channel"; and inputs by name that the golden lacks. What a bound judges may be gone with them.

@@ -98,7 +98,8 @@ std::vector<std::string> setup_differences(const replay::LogHeader& expected, co
   return found;
 }
 
-std::string step_difference(const ExpectedSetup& expected, const replay::StepRecord& record) {
+std::string step_difference(const ExpectedSetup& expected, const replay::StepRecord& record,
+                            const replay::BodyTable& names) {
   if (record.step == 0 || record.step > expected.steps_until) return "";
   const auto behind = std::ranges::upper_bound(expected.steps, record.step, {}, &StepSetup::step);
   if (behind == expected.steps.begin()) return "";
@@ -108,7 +109,7 @@ std::string step_difference(const ExpectedSetup& expected, const replay::StepRec
   const std::span<const sim::Command> wanted = kept.step == record.step ? kept.inputs : std::span<const sim::Command>();
   const auto difference = replay::first_difference(wanted, std::span<const sim::Command>(record.inputs));
   if (!difference) return "";
-  const std::string of = difference->body ? " of body " + std::to_string(*difference->body) : "";
+  const std::string of = difference->body ? " of " + names.text(*difference->body) : "";
   return before + difference->field + of + ": " + replay::to_string(difference->expected) + " → " +
          replay::to_string(difference->actual);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
@@ -61,8 +62,9 @@ std::vector<std::string> setup_differences(const replay::LogHeader& expected, co
 std::vector<std::string> phase_differences(const std::vector<std::string>& expected,
                                            const std::vector<std::string>& actual);
 
-/// "before step 7, dt: 0.0166 → 0.02", "before step 7, push.impulse.x of body 2: 1 → 2"; empty where the golden keeps
-/// nothing of that step or both are equal.
-std::string step_difference(const ExpectedSetup& expected, const replay::StepRecord& record);
+/// "before step 7, dt: 0.0166 → 0.02", "before step 7, push.impulse.x of body 2 (hip): 1 → 2"; empty where the golden
+/// keeps nothing of that step or both are equal.
+std::string step_difference(const ExpectedSetup& expected, const replay::StepRecord& record,
+                            const replay::BodyTable& names);
 
 }  // namespace tumble::golden
