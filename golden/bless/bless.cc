@@ -158,6 +158,18 @@ Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vect
   return handed;
 }
 
+/// Writes nothing for any case where one of them cannot be written.
+Status can_write(const BlessOptions& options, const std::vector<CaseFolder>& folders) {
+  if (options.dry_run) return {};
+  std::vector<std::filesystem::path> places = {options.suite};
+  for (const CaseFolder& folder : folders) places.push_back(folder.path);
+  for (const std::filesystem::path& place : places) {
+    const Status ok = can_write_in(place);
+    if (!ok.ok()) return Error{ok.error().kind, ok.error().message + "; nothing was blessed"};
+  }
+  return {};
+}
+
 Status write_case(const Handed& handed) {
   if (Status ok = write_file(handed.folder.file(kRulesFile), std::string_view(handed.rules_text)); !ok.ok()) return ok;
   for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
@@ -189,6 +201,7 @@ Result<BlessReport> bless_cases(const BlessOptions& options) {
   }
   Result<std::vector<CaseFolder>> folders = select_cases(*suite, chosen);
   if (!folders.ok()) return folders.error();
+  if (Status ok = can_write(options, *folders); !ok.ok()) return ok.error();
   Result<std::vector<Handed>> handed = run_all(options, longest_first(*std::move(folders)), recorded);
   if (!handed.ok()) return handed.error();
 

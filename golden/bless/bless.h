@@ -29,7 +29,8 @@ struct BlessReport {
 /// Runs cases and accepts their present results: writes expected.tumble and the values of metrics.toml; bounds stay as
 /// they are. Writes nothing for any case unless every case can be blessed. Errors (kBadInput): a reason that is
 /// empty or has several lines, an unknown case, a case that did not run to its end, a metric out of its bounds or null
-/// (change the bound, with its reason, in metrics.toml first). kCannotFinish: writing, cancelled.
+/// (change the bound, with its reason, in metrics.toml first), a folder that may not be written. kCannotFinish: the
+/// disk, cancelled.
 Result<BlessReport> bless_cases(const BlessOptions& options);
 
 }  // namespace tumble::golden

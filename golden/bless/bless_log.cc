@@ -75,7 +75,9 @@ Status check_request(const NewCase& options) {
   const fs::path folder = options.suite / "cases" / options.name;
   if (!fs::is_directory(options.suite, error)) return bad_input(options.suite.string() + ": no such suite");
   if (fs::exists(folder, error)) return bad_input(folder.string() + ": is there already; choose another name");
-  return {};
+  if (options.dry_run) return {};
+  const fs::path cases = options.suite / "cases";
+  return can_write_in(fs::is_directory(cases, error) ? cases : options.suite);
 }
 
 /// The scene of a log as the file of a case.

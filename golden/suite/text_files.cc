@@ -1,5 +1,7 @@
 #include "golden/suite/text_files.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -47,12 +49,16 @@ Result<std::vector<std::byte>> read_bytes(const fs::path& path) {
 Status write_file(const fs::path& path, std::string_view content) {
   std::error_code error;
   fs::create_directories(path.parent_path().empty() ? "." : path.parent_path(), error);
-  const Status written = files::write_whole_file(path.string(), content);
-  return written.ok() ? written : Status(cannot_finish(written.error().message));
+  return files::write_whole_file(path.string(), content);
 }
 
 Status write_file(const fs::path& path, std::span<const std::byte> content) {
   return write_file(path, std::string_view(reinterpret_cast<const char*>(content.data()), content.size()));
+}
+
+Status can_write_in(const fs::path& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return {};
+  return files::cannot_open(folder.string(), errno);
 }
 
 std::vector<std::string> lines_of(std::string_view text) {

@@ -19,9 +19,13 @@ Result<std::string> read_text(const std::filesystem::path& path);
 Result<std::string> read_table(const std::filesystem::path& path);
 Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path);
 
-/// Writes beside the file and renames, so that a crash leaves the old one. Folders are made. Errors (kCannotFinish).
+/// Writes beside the file and renames, so that a crash leaves the old one. Folders are made. Errors. kBadInput: a
+/// folder, no permission. kCannotFinish: the disk.
 Status write_file(const std::filesystem::path& path, std::string_view content);
 Status write_file(const std::filesystem::path& path, std::span<const std::byte> content);
+
+/// Asked before work whose results go into a folder that is there. Errors: as write_file().
+Status can_write_in(const std::filesystem::path& folder);
 
 /// Without the ends of lines.
 std::vector<std::string> lines_of(std::string_view text);
