@@ -83,5 +83,52 @@ TEST_F(BenchFailures, AreNamedBesideTableOne) {
   EXPECT_NE(run.err.find("ode in "), std::string::npos) << run.err;
 }
 
+TEST_F(BenchFailures, LeaveTheOtherScenesTheirMemory) {
+  std::string fast = kSmallScene;  // the thrown box leaves the world after four seconds
+  const std::string throw_at = "velocity = [0.0, 6.0, 0.0]", steps = "steps = 40";
+  fast.replace(fast.find(throw_at), throw_at.size(), "velocity = [0.0, 8000.0, 0.0]");
+  fast.replace(fast.find(steps), steps.size(), "steps = 300");
+  shop_.write("lost.toml", fast);
+  shop_.write("small.toml", kSmallScene);
+  const Outcome run = this->run("memory --scene lost.toml --scene small.toml --json");
+  EXPECT_EQ(run.exit, 4) << run.err;
+  const Json json = Json::parse(run.out);
+  ASSERT_EQ(json["scenes"].size(), 1U) << json;
+  EXPECT_EQ(json["scenes"][0]["bodies"], 3);
+  ASSERT_EQ(json["failures"].size(), 1U) << json;
+  EXPECT_EQ(json["failures"][0]["run"], "lost.toml");
+  EXPECT_NE(run.err.find("1 run failed: lost.toml: "), std::string::npos) << run.err;
+  const Outcome text = this->run("memory --scene lost.toml --scene small.toml");
+  EXPECT_NE(text.out.find("lost.toml failed: "), std::string::npos) << text.out;
+  EXPECT_EQ(this->run("memory --scene small.toml --scene missing.toml").out, "") << "bad usage costs no run";
+}
+
+TEST_F(BenchFailures, LeaveTheOtherWindowsTheirFrames) {
+  shop_.write("build/tools/tumble-live",
+              "#!/bin/sh\ncase \"$*\" in *brick_wall*) echo 'no display' >&2; exit 4;; esac\n"
+              "echo '{\"driver\": \"d\", \"measured\": {\"frames_per_second\": 9}}'\n");
+  fs::permissions(shop_.path("build/tools/tumble-live"), fs::perms::owner_all);
+  const Outcome run = this->run("live --budget 0.1 --json");
+  EXPECT_EQ(run.exit, 4) << run.err;
+  const Json json = Json::parse(run.out);
+  ASSERT_EQ(json["rows"].size(), 1U) << json;
+  EXPECT_EQ(json["rows"][0]["scene"], "6400 cubes");
+  EXPECT_EQ(json["failures"][0]["run"], "brick_wall");
+  EXPECT_NE(run.err.find("1 run failed: brick_wall: the window ended with status 4: no display"), std::string::npos)
+      << run.err;
+}
+
+TEST_F(BenchFailures, LeaveTheOtherFormatsTheirSpeed) {
+  // No file of more than 100 blocks: the log and the mcap fit, npz and glb do not.
+  const std::string line =
+      "cd '" + shop_.path("") +
+      "' && (trap '' XFSZ; ulimit -f 600; build/tools/tumble bench export --scene grid_2 --json) >out 2>err";
+  const int status = std::system(line.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4) << shop_.read("err");
+  const Json json = Json::parse(shop_.read("out"));
+  EXPECT_GE(json["rows"].size(), 1U) << json;
+  EXPECT_GE(json["failures"].size(), 1U) << json;
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -218,12 +218,13 @@ Result<Exit> bench_accuracy(const BenchOptions& options) {
         << "from the limit: mean distance of the cubes along y, in ascending order\n"
         << "guaranteed by construction: lateral and column spread of thesis and layered are 0; measured: all else\n";
   }
-  FailedRuns failed;
+  FailedRuns failed(" of engines");
   std::vector<EngineAccuracy> engines;
   for (const Peer& peer : choice->peers) {
     engines.push_back({peer, peer.word, {}, ""});
     run_engine(session, options, engines.back());
-    if (!engines.back().failure.empty()) failed.add(engines.back().engine, "grid_" + *side, engines.back().failure);
+    if (!engines.back().failure.empty())
+      failed.add(engines.back().engine + " in grid_" + *side, engines.back().failure);
     if (!options.json) print(engines.back());
     results["engines"].push_back(to_json(engines.back()));
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tools/bench/bench.h"
+#include "tools/bench/peer_programs.h"
 #include "tools/bench/workplace.h"
 
 namespace tumble::tools {
@@ -52,12 +53,18 @@ Result<ProgramRun> median_run(const Workplace& place, const std::vector<std::str
   return runs[runs.size() / 2];
 }
 
-Result<Json> measure(const BenchOptions& options, const std::string& side) {
+std::string why(const ProgramRun& run) {
+  if (run.exit < 0) return "a signal ended it";
+  const std::string said = run.err.substr(0, run.err.find_last_not_of('\n') + 1);
+  return "ended with status " + std::to_string(run.exit) + (said.empty() ? "" : ": " + said);
+}
+
+Result<Json> measure(const BenchOptions& options, const std::string& side, FailedRuns& failed) {
   const Workplace place;
   const std::string log = place.file("grid.tumble");
   const Result<ProgramRun> recorded = place.run(recording(side, log));
   if (!recorded.ok()) return recorded.error();
-  if (recorded->exit != 0) return cannot_finish("export: " + recorded->err);
+  if (recorded->exit != 0) return cannot_finish("export: recording the session " + why(*recorded));
   const double bodies = std::stod(side) * std::stod(side);
   const double raw = bodies * static_cast<double>(kSteps + 1) * kStateBytes / kMegabyte;
   Json rows = Json::array();
@@ -69,7 +76,10 @@ Result<Json> measure(const BenchOptions& options, const std::string& side) {
       rows.push_back({{"format", format}, {"left_out", run->err}});
       continue;
     }
-    if (run->exit != 0) return cannot_finish("export: " + run->err);
+    if (run->exit != 0) {
+      failed.add(format, why(*run));
+      continue;
+    }
     rows.push_back({{"format", format},
                     {"seconds", run->seconds},
                     {"cpu", run->cpu},
@@ -107,14 +117,19 @@ void print(const Json& found) {
 Result<Exit> bench_export(const BenchOptions& options) {
   const Result<std::string> side = grid_side(options, kSide);
   if (!side.ok()) return side.error();
-  const Result<Json> found = measure(options, *side);
+  FailedRuns failed;
+  const Result<Json> found = measure(options, *side, failed);
   if (!found.ok()) return found.error();
   Json results = {{"bench", "export"}, {"machine", machine_json()}};
   results.update(*found);
+  results["failures"] = failed.json();
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
-  if (options.json) return Exit::kSame;
-  std::cout << machine_text(results["machine"]) << '\n';
-  print(results);
+  if (!options.json) {
+    std::cout << machine_text(results["machine"]) << '\n';
+    print(results);
+    failed.print();
+  }
+  if (Status ok = failed.status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

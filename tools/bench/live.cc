@@ -8,6 +8,7 @@
 #include "golden/suite/temporary_folder.h"
 #include "src/process/run_child.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/peer_programs.h"
 #include "tools/files/helper_program.h"
 
 namespace tumble::tools {
@@ -32,11 +33,7 @@ const std::array<LiveScene, 2>& live_scenes() {
 constexpr double kSecondsEach = 10;
 constexpr std::uint64_t kInputFramesMost = 2;
 
-Result<Json> measure(const LiveScene& scene, double seconds) {
-  const std::string helper = helper_program("tumble-live");
-  if (helper.empty()) {
-    return cannot_finish("live: this build has no window; install libglfw3-dev and libimgui-dev and build again");
-  }
+Result<Json> measure(const std::string& helper, const LiveScene& scene, double seconds) {
   const golden::TemporaryFolder folder("tumble_bench_live");
   const auto file = [&](const char* name) { return (folder.path() / name).string(); };
   process::Program program;
@@ -49,10 +46,9 @@ Result<Json> measure(const LiveScene& scene, double seconds) {
   if (!end.ok()) return end.error();
   std::string complaint = printed_in(program.err);
   while (complaint.ends_with('\n')) complaint.pop_back();
-  if (!end->well())
-    return cannot_finish("live: the window " + end->text() + (complaint.empty() ? "" : ": " + complaint));
+  if (!end->well()) return cannot_finish("the window " + end->text() + (complaint.empty() ? "" : ": " + complaint));
   Json json = Json::parse(printed_in(program.out), nullptr, false);
-  if (json.is_discarded() || !json.contains("measured")) return cannot_finish("live: the window reported no figures");
+  if (json.is_discarded() || !json.contains("measured")) return cannot_finish("the window reported no figures");
   Json row = json["measured"];
   row["scene"] = scene.name;
   row["size"] = scene.size;
@@ -68,19 +64,7 @@ bool is_met(const Json& row) {
 
 std::string ms(const Json& seconds) { return short_number(seconds.get<double>() * 1e3); }
 
-}  // namespace
-
-Result<Exit> bench_live(const BenchOptions& options) {
-  Json results;
-  results["machine"] = machine_json();
-  results["rows"] = Json::array();
-  for (const LiveScene& scene : live_scenes()) {
-    const Result<Json> row = measure(scene, options.budget.value_or(kSecondsEach));
-    if (!row.ok()) return row.error();
-    results["rows"].push_back(*row);
-  }
-  if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
-  if (options.json) return Exit::kSame;
+void print(const Json& results, const FailedRuns& failed) {
   std::cout << machine_text(results["machine"]) << '\n';
   Table table({"scene", "size", "frames/s", "goal", "frame ms", "p95", "draw ms", "step ms", "steps/s", "sim s/s",
                "input frames", "met"});
@@ -92,8 +76,33 @@ Result<Exit> bench_live(const BenchOptions& options) {
                short_number(row["input_frames"]["mean"]) + ", at most " + row["input_frames"]["most"].dump(),
                is_met(row) ? "yes" : "no"});
   }
-  table.print();
-  std::cout << "drawn with " << printable(results["rows"][0]["driver"].get<std::string>()) << '\n';
+  if (!results["rows"].empty()) table.print();
+  if (!results["rows"].empty()) {
+    std::cout << "drawn with " << printable(results["rows"][0]["driver"].get<std::string>()) << '\n';
+  }
+  failed.print();
+}
+
+}  // namespace
+
+Result<Exit> bench_live(const BenchOptions& options) {
+  const std::string helper = helper_program("tumble-live");
+  if (helper.empty()) {
+    return cannot_finish("live: this build has no window; install libglfw3-dev and libimgui-dev and build again");
+  }
+  Json results;
+  results["machine"] = machine_json();
+  results["rows"] = Json::array();
+  FailedRuns failed;
+  for (const LiveScene& scene : live_scenes()) {
+    const Result<Json> row = measure(helper, scene, options.budget.value_or(kSecondsEach));
+    if (row.ok()) results["rows"].push_back(*row);
+    if (!row.ok()) failed.add(scene.name, row.error().message);
+  }
+  results["failures"] = failed.json();
+  if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (!options.json) print(results, failed);
+  if (Status ok = failed.status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

@@ -6,6 +6,7 @@
 #include "src/world/memory_use.h"
 #include "src/world/scratch.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/peer_programs.h"
 #include "tools/files/scene_files.h"
 #include "tumble/replay/session.h"
 #include "tumble/scenes/scene_file.h"
@@ -114,15 +115,26 @@ Result<Exit> bench_memory(const BenchOptions& options) {
   std::vector<std::string> overrides;
   if (!options.method.empty()) overrides.push_back("world.method=" + options.method);
   Json results = {{"bench", "memory"}, {"machine", machine_json()}, {"scenes", Json::array()}};
-  for (const std::string& name : names) {
-    const Result<sim::SceneDef> scene = scene_called(name, overrides);
+  std::vector<sim::SceneDef> scenes;
+  for (const std::string& name : names) {  // all of them, before the work begins
+    Result<sim::SceneDef> scene = scene_called(name, overrides);
     if (!scene.ok()) return scene.error();
-    const Result<Use> use = run(*scene);
-    if (!use.ok()) return use.error();
+    scenes.push_back(*std::move(scene));
+  }
+  FailedRuns failed;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Result<Use> use = run(scenes[i]);
+    if (!use.ok()) {
+      failed.add(names[i], use.error().message);
+      continue;
+    }
     results["scenes"].push_back(to_json(*use));
     if (!options.json) print(*use);
   }
+  if (!options.json) failed.print();
+  results["failures"] = failed.json();
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (Status ok = failed.status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

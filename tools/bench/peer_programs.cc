@@ -88,14 +88,21 @@ Result<Json> run_for_json(std::vector<std::string> words, const fs::path& folder
   return cannot_finish(end->text() + (words_said.empty() ? "" : ": " + words_said));
 }
 
-void FailedRuns::add(const std::string& engine, const std::string& place, const std::string& why) {
-  if (++count_ == 1) first_ = engine + " in " + place + ": " + why;
+Json FailedRuns::json() const {
+  Json failures = Json::array();
+  for (const auto& [where, why] : all_) failures.push_back({{"run", where}, {"failure", why}});
+  return failures;
+}
+
+void FailedRuns::print() const {
+  for (const auto& [where, why] : all_) std::cout << where << " failed: " << printable(why) << '\n';
 }
 
 Status FailedRuns::status() const {
-  if (count_ == 0) return {};
-  return cannot_finish(count_text(count_, "run") + " of engines failed" + (count_ > 1 ? ", first " : ": ") + first_ +
-                       "; the results are those of the other runs");
+  if (all_.empty()) return {};
+  const auto& [where, why] = all_.front();
+  return cannot_finish(count_text(all_.size(), "run") + of_ + " failed" + (all_.size() > 1 ? ", first " : ": ") +
+                       where + ": " + why + "; the results are those of the other runs");
 }
 
 }  // namespace tumble::tools

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/output/text.h"
@@ -39,17 +40,23 @@ std::vector<std::string> peer_command(const Peer& peer, const std::string& scene
 /// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with its end and its message.
 Result<Json> run_for_json(std::vector<std::string> words, const std::filesystem::path& folder);
 
-/// Runs of engines that failed. A benchmark goes on without them, and does not end well.
+/// Runs that failed. A benchmark goes on without them, and does not end well.
 class FailedRuns {
  public:
-  /// "ode in grid_20: …".
-  void add(const std::string& engine, const std::string& place, const std::string& why);
+  /// of: for messages, of what the runs are: " of engines".
+  explicit FailedRuns(std::string of = "") : of_(std::move(of)) {}
+  /// "ode in grid_20".
+  void add(const std::string& where, const std::string& why) { all_.emplace_back(where, why); }
+  /// [{`run`, `failure`}].
+  [[nodiscard]] Json json() const;
+  /// For people: a line each.
+  void print() const;
   /// Errors (kCannotFinish): the first failure, and how many there are.
   [[nodiscard]] Status status() const;
 
  private:
-  std::string first_;
-  std::size_t count_ = 0;
+  std::string of_;
+  std::vector<std::pair<std::string, std::string>> all_;
 };
 
 }  // namespace tumble::tools

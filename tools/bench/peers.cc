@@ -217,7 +217,7 @@ Result<Exit> bench_peers(const BenchOptions& options) {
   results["left_out"] = choice->left_out;
   results["scenes"] = Json::array();
   if (!options.json) std::cout << machine_text(results["machine"]) << '\n';
-  FailedRuns failed;
+  FailedRuns failed(" of engines");
   for (const PeerScene& scene : scenes) {
     if (!chosen(scene, options)) continue;
     const Result<sim::SceneDef> def = bench_scene(scene.file, scene.overrides);
@@ -231,7 +231,7 @@ Result<Exit> bench_peers(const BenchOptions& options) {
       Score& score = scores[i];
       Status judged = score.failure.empty() ? runs.judge(peers[i], score) : Status();
       if (!judged.ok()) score.failure = judged.error().message;
-      if (!score.failure.empty()) failed.add(score.engine, scene.name, score.failure);
+      if (!score.failure.empty()) failed.add(score.engine + " in " + scene.name, score.failure);
     }
     if (!options.json) print(scene, *def, scores);
     results["scenes"].push_back(to_json(scene, *def, scores));

@@ -2,8 +2,10 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "tools/bench/bench.h"
+#include "tools/bench/peer_programs.h"
 #include "tools/output/gnuplot.h"
 #include "tumble/sim/step.h"
 #include "tumble/sim/world.h"
@@ -19,6 +21,7 @@ struct Point {
   double seconds = 0;  ///< CPU, of all steps
 
   [[nodiscard]] int bodies() const { return rows * columns; }
+  [[nodiscard]] std::string name() const { return std::to_string(rows) + " x " + std::to_string(columns) + " cubes"; }
 };
 
 /// 20 rows of more and more columns; and the thesis's squares, whose piles get longer as well as wider.
@@ -41,6 +44,16 @@ Result<double> run(const Point& point, const std::string& method) {
     if (const Result<sim::StepCounters> done = sim::step(*world); !done.ok()) return done.error();
   }
   return cpu_seconds() - begin;
+}
+
+Result<std::vector<double>> run_all(const Point& point, const std::string& method, std::uint64_t repeat) {
+  std::vector<double> runs;
+  for (std::uint64_t r = 0; r < repeat; ++r) {
+    const Result<double> seconds = run(point, method);
+    if (!seconds.ok()) return seconds.error();
+    runs.push_back(*seconds);
+  }
+  return runs;
 }
 
 /// The slope of log time over log bodies, by least squares; from 400 bodies on. None of less than two points.
@@ -90,6 +103,7 @@ Result<Exit> bench_scaling(const BenchOptions& options) {
     std::cout << machine_text(results["machine"]) << "\nmethod " << method << ", 5 s at 1/30, 4 substeps\n";
   Table table({"series", ">bodies", ">CPU s", ">µs a body-step"});
   double spent = 0;
+  FailedRuns failed;
   for (Point point : all_points()) {
     const bool goes_on = !points.empty() && points.back().series == point.series;
     const double expected = goes_on ? points.back().seconds * 1.3 * point.bodies() / points.back().bodies() : 0;
@@ -97,14 +111,14 @@ Result<Exit> bench_scaling(const BenchOptions& options) {
       table.add({point.series, std::to_string(point.bodies()), "left out, ~" + short_number(expected), ""});
       continue;
     }
-    std::vector<double> runs;
-    for (std::uint64_t r = 0; r < options.repeat.value_or(1); ++r) {
-      const Result<double> seconds = run(point, method);
-      if (!seconds.ok()) return seconds.error();
-      runs.push_back(*seconds);
-      spent += *seconds;
+    const Result<std::vector<double>> runs = run_all(point, method, options.repeat.value_or(1));
+    if (!runs.ok()) {
+      failed.add(point.name(), runs.error().message);
+      table.add({point.series, std::to_string(point.bodies()), "failed", ""});
+      continue;
     }
-    point.seconds = median(runs);
+    spent += std::accumulate(runs->begin(), runs->end(), 0.0);
+    point.seconds = median(*runs);
     points.push_back(point);
     const double each = point.seconds * 1e6 / (150.0 * point.bodies());
     table.add({point.series, std::to_string(point.bodies()), short_number(point.seconds), short_number(each)});
@@ -120,10 +134,13 @@ Result<Exit> bench_scaling(const BenchOptions& options) {
     if (slope) table.add({series, "from 400 on", "exponent " + short_number(*slope), ""});
   }
   if (!options.json) table.print();
-  if (!options.plot.empty()) {
+  if (!options.json) failed.print();
+  results["failures"] = failed.json();
+  if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (!options.plot.empty() && !points.empty()) {
     if (Status ok = plot(points, options.plot, method); !ok.ok()) return ok.error();
   }
-  if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (Status ok = failed.status(); !ok.ok()) return ok.error();
   return Exit::kSame;
 }
 

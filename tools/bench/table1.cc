@@ -127,8 +127,7 @@ class Table1Run {
       const PeerCell& peer = cell.peers[k];
       if (!peer_runs[k].empty()) cell.peers[k].seconds = median(peer_runs[k]);
       if (peer.failure.empty()) continue;
-      failed_.add(peers_[k].word,
-                  count_text(static_cast<std::uint64_t>(cell.cubes()), "cube") + " with " +
+      failed_.add(peers_[k].word + " in " + count_text(static_cast<std::uint64_t>(cell.cubes()), "cube") + " with " +
                       count_text(peer.substeps, "substep"),
                   peer.failure);
     }
@@ -166,7 +165,7 @@ class Table1Run {
   std::filesystem::path folder_;
   std::vector<Peer> peers_;
   std::vector<Spent> peers_spent_;
-  FailedRuns failed_;
+  FailedRuns failed_{" of engines"};
   std::array<Spent, 2> ours_;  // of each half; both know all that was spent
 };
 
