@@ -153,12 +153,12 @@ py::array EngineRecorder::ids_now() const {
   return array_of(std::move(ids));
 }
 
-replay::LogSummary EngineRecorder::finish() {
+replay::LogSummary EngineRecorder::finish(const std::string& why) {
   refuse_if_busy();
   if (finished_) raise(bad_input(path_ + ": the log is finished already"));
   finished_ = true;
-  if (failed_) log_->drop_step();
-  const Result<replay::LogSummary> summary = released([&] { return log_->finish(); });
+  if (failed_ || !why.empty()) log_->drop_step();
+  const Result<replay::LogSummary> summary = released([&] { return log_->finish(why); });
   return take(summary);
 }
 

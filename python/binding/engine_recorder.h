@@ -35,7 +35,8 @@ class EngineRecorder {
   void input(const py::dict& fields);
   /// A step from arrays, and from what else it holds.
   void step(const py::dict& fields);
-  replay::LogSummary finish();
+  /// why: the log may have had more steps; empty: it was closed.
+  replay::LogSummary finish(const std::string& why);
 
   [[nodiscard]] std::uint64_t coming_step() const;
   [[nodiscard]] py::array ids() const;

@@ -204,7 +204,7 @@ void add_engine_recorder(py::module_& module) {
       .def("ids", &EngineRecorder::ids)
       .def_property_readonly("coming_step", &EngineRecorder::coming_step)
       .def_property_readonly("finished", &EngineRecorder::is_finished)
-      .def("finish", [](EngineRecorder& recorder) { return dict_of(recorder.finish()); });
+      .def("finish", [](EngineRecorder& recorder, const std::string& why) { return dict_of(recorder.finish(why)); });
 }
 
 }  // namespace tumble::python

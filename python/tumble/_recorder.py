@@ -48,8 +48,10 @@ class Recorder:
         return self
 
     def __exit__(self, kind, error, trace):
+        failed = kind is not None and issubclass(kind, (Exception, KeyboardInterrupt))
+        why = f"the program ended it with {kind.__name__}: {error}" if failed else ""
         try:
-            self.close()
+            self._close(why.encode(errors="backslashreplace").decode())
         except Error:
             if error is None:
                 raise
@@ -123,10 +125,13 @@ class Recorder:
         self._input("set_gravity", gravity=gravity)
 
     def close(self):
-        """Completes the log. A step that was refused ends it: the log then has the steps before."""
+        """Completes the log. A step that was refused ends it: the log then has the steps before, and why it ends."""
+        self._close("")
+
+    def _close(self, why):
         log, self._log = self._log, _Finished(self._path)  # which lets go of the file
         if not log.finished:
-            log.finish()
+            log.finish(why)
 
 
 class _Finished:

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "replay/format/chain.h"
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
+#include "replay/import/end_reason.h"
+#include "replay/import/engine_header.h"
 #include "replay/import/known_bodies.h"
 #include "replay/import/phase_names.h"
 #include "replay/log/told_bodies.h"
@@ -60,13 +61,8 @@ Result<sim::World> world_of(const sim::SceneDef& start, const EngineDef& def) {
   return world;
 }
 
-Status check_engine(const EngineDef& def) {
-  const EngineName& engine = def.engine;
-  if (engine.name.empty()) return bad_input("engine: found no name, wanted one");
-  if (engine.precision_bits != kBinary32Bits && engine.precision_bits != kBinary64Bits) {
-    return bad_input("engine: found a precision of " + std::to_string(engine.precision_bits) +
-                     " bits, wanted 24 (binary32) or 53 (binary64)");
-  }
+Status check_engine_def(const EngineDef& def) {
+  if (Status ok = check_engine(def.engine); !ok.ok()) return ok;
   if (Status ok = check_phase_names(def.phases); !ok.ok()) return bad_input("engine: " + ok.error().message);
   const Status table = def.table ? check_table(*def.table) : Status();
   return table.ok() ? check_declared(def.declared) : table;
@@ -84,18 +80,17 @@ LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   return header;
 }
 
-/// A log of the last steps of a session is a continued log, whose beginning nobody kept.
-void begin_at(std::uint64_t step, LogHeader& header, sim::WorldState& state) {
-  state.step = step;
-  const Hash128 chain = chain_start(sim::state_hash(state.bodies), header.declared.start);
-  header.goes_on = {step, "steps that were not kept", sim::continuation_hash(state), chain};
+Error bad_step(std::uint64_t step, const std::string& message) {
+  return bad_input("step " + std::to_string(step) + ": " + message);
 }
 
 }  // namespace
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const std::string& path, const EngineDef& def,
                                                      const sim::SceneDef& start) {
-  return create([&] { return open_file_sink(path); }, def, start);
+  Result<std::unique_ptr<EngineLog>> log = create([&] { return open_file_sink(path); }, def, start);
+  if (log.ok()) (*log)->path_ = path;
+  return log;
 }
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(std::unique_ptr<ByteSink> sink, const EngineDef& def,
@@ -105,7 +100,7 @@ Result<std::unique_ptr<EngineLog>> EngineLog::create(std::unique_ptr<ByteSink> s
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const MakeSink& make_sink, const EngineDef& def,
                                                      const sim::SceneDef& start) {
-  if (Status ok = check_engine(def); !ok.ok()) return ok.error();
+  if (Status ok = check_engine_def(def); !ok.ok()) return ok.error();
   Result<sim::World> world = world_of(start, def);
   if (!world.ok()) return world.error();
   const Status told = check_bodies(def.declared.start, def.declared.channels, world->bodies(), {});
@@ -134,8 +129,10 @@ EngineLog::EngineLog(sim::World world, const EngineDef& def)
   }
 }
 
-Error EngineLog::at_step(const std::string& message) const {
-  return bad_input("step " + std::to_string(step()) + ": " + message);
+Error EngineLog::at_step(const std::string& message) {
+  Error error = bad_step(step(), message);
+  if (refusal_.empty()) refusal_ = "a call was refused: " + error.message;
+  return error;
 }
 
 Status EngineLog::input(const sim::Command& command) {
@@ -243,7 +240,7 @@ Status EngineLog::set_phase_hashes(std::span<const std::uint64_t> words) {
   return {};
 }
 
-Status EngineLog::check_all_told() const {
+Status EngineLog::check_all_told() {
   const sim::Bodies& bodies = world_.bodies();
   for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i) || (!told_.empty() && told_[i] != 0)) continue;
@@ -287,10 +284,14 @@ void EngineLog::drop_step() {
   told_.clear();
 }
 
-Result<LogSummary> EngineLog::finish() {
+Result<LogSummary> EngineLog::finish(const std::string& why) {
   if (!inputs_.empty() || !told_.empty() || !values_->empty() || !extras_.empty())
-    return at_step("was begun but not ended, wanted end_step() before finish()");
-  return writer_->finish();
+    return bad_step(step(), "was begun but not ended, wanted end_step() before finish()");
+  Result<LogSummary> summary = writer_->finish();
+  if (!summary.ok()) return summary;
+  writer_.reset();  // lets go of the file
+  const Status kept = keep_end_reason(path_, refusal_.empty() ? why : refusal_, *summary);
+  return kept.ok() ? summary : kept.error();
 }
 
 }  // namespace tumble::replay

@@ -122,8 +122,10 @@ class EngineLog {
   /// the step's inputs and states.
   void drop_step();
 
-  /// Completes the log. Errors. kBadInput: inputs or states without end_step(). kCannotFinish: writing fails.
-  Result<LogSummary> finish();
+  /// Completes the log. Where a call was refused before, the header of a log that was created by its path keeps that
+  /// as the reason why the session may have had more steps (Declared::cut_short); else it keeps `why`, if that is not
+  /// empty. Errors. kBadInput: inputs or states without end_step(). kCannotFinish: writing fails.
+  Result<LogSummary> finish(const std::string& why = {});
 
   /// The number of the coming step: 1 before the first end_step().
   [[nodiscard]] std::uint64_t step() const { return world_.state().step + 1; }
@@ -134,10 +136,12 @@ class EngineLog {
  private:
   EngineLog(sim::World world, const EngineDef& def);
   void close_extras();
-  [[nodiscard]] Error at_step(const std::string& message) const;
-  Status check_all_told() const;
+  [[nodiscard]] Error at_step(const std::string& message);
+  Status check_all_told();
 
-  sim::World world_;  // applies the inputs; takes no steps
+  sim::World world_;     // applies the inputs; takes no steps
+  std::string path_;     // empty: the log goes elsewhere than to a file
+  std::string refusal_;  // of the first call that was refused
   std::size_t phase_count_;
   std::unique_ptr<LogWriter> writer_;
   std::vector<sim::Command> inputs_;        // of the coming step

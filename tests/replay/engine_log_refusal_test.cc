@@ -5,8 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <string>
 
 #include "replay/log/byte_memory.h"
+#include "replay/log/verify.h"
+#include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/engine_log_c.h"
 
@@ -184,6 +188,43 @@ TEST(EngineLogRefusal, OfValuesAndContactsOfBodiesThatDoNotExist) {
   def.declared.start.contacts = {{1, 7, {0, 0, 0}, {0, 0, 1}, 0, 0}};
   auto sink = std::make_unique<MemoryByteSink>(std::make_shared<std::vector<std::byte>>(), "toy.tumble");
   EXPECT_FALSE(EngineLog::create(std::move(sink), def, start).ok());
+}
+
+// Whoever reads the log later knows that its session may have had more steps, and why it ends.
+TEST(EngineLogRefusal, IsKeptAsTheReasonWhyTheLogEnds) {
+  const std::string path = testing::TempDir() + "refused.tumble";
+  const auto log_of_path = [&] {
+    sim::SceneDef start;
+    start.boxes = {cube(1)};
+    auto log = EngineLog::create(path, {{"toy", "1"}}, start);
+    EXPECT_TRUE(log.ok() && (*log)->set_state(1, {}).ok() && (*log)->end_step(0.01).ok());
+    return *std::move(log);
+  };
+  const auto end_of = [&](const LogSummary& summary) {
+    Result<LogReader> log = LogReader::open(path);
+    EXPECT_EQ(log->file_bytes(), summary.bytes);
+    EXPECT_EQ(log->last_step(), 1U);
+    EXPECT_TRUE(verify(*log).condition.whole());
+    EXPECT_EQ((*log->read_step(1))->state_hash, summary.final_hash);
+    return not_whole(*log);
+  };
+  const std::string begin = path + ": its session may have gone on: ";
+  std::unique_ptr<EngineLog> log = log_of_path();
+  ASSERT_FALSE(log->end_step(0.01).ok()) << "a moving body has no state";
+  log->drop_step();
+  Result<LogSummary> summary = log->finish("the engine was stopped");
+  ASSERT_TRUE(summary.ok()) << summary.error().message;
+  EXPECT_TRUE(end_of(*summary).starts_with(begin + "a call was refused: step 2: found no state of body 1, wanted"))
+      << end_of(*summary);
+  log = log_of_path();
+  summary = log->finish("the engine was stopped");
+  ASSERT_TRUE(summary.ok()) << summary.error().message;
+  EXPECT_EQ(end_of(*summary), begin + "the engine was stopped");
+  log = log_of_path();
+  summary = log->finish();
+  ASSERT_TRUE(summary.ok()) << summary.error().message;
+  EXPECT_EQ(end_of(*summary), "");
+  std::remove(path.c_str());
 }
 
 }  // namespace

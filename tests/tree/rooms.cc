@@ -76,7 +76,7 @@ std::vector<Room> logs() {
       {"replay/measure", above},
       {"replay/recover", above},
       {"replay/arrays", {"src/base"}},
-      {"replay/import", session},
+      {"replay/import", session + Folders{"src/files"}},
       {"replay/import/csv", session + Folders{"replay/arrays", "replay/import"}},
       {"replay/recorder", {}},
       {"replay/stream", session + Folders{"replay/import"}},

@@ -1,7 +1,11 @@
 #include "replay/import/csv/table_map.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "src/base/text.h"
 
@@ -33,8 +37,12 @@ Status add_mapping(TableMap& map, std::string_view text, const std::string& plac
 }
 
 Status read_map_file(TableMap& map, const std::string& path) {
+  constexpr const char* kRemedy = "; name a file with lines FIELD = COLUMN";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return bad_input(path + ": is a folder" + kRemedy);
+  errno = 0;
   std::ifstream file(path);
-  if (!file) return bad_input(path + ": cannot be opened; name a file with lines FIELD = COLUMN");
+  if (!file) return bad_input(path + ": cannot be opened: " + std::strerror(errno) + kRemedy);
   std::string line;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
     const std::string text = without_blanks(line);
