@@ -117,6 +117,7 @@ std::string kinds_line(const std::vector<TableColumn>& columns, const std::vecto
 
 std::string print_rows(const std::string& header, const std::vector<TableColumn>& columns, std::size_t steps,
                        std::size_t bodies, const Array* present) {
+  constexpr std::size_t kHeadMost = 4096;
   std::string text;
   bool escaped = false;
   const auto append = [&](std::size_t column, const std::string& cell) {
@@ -128,14 +129,18 @@ std::string print_rows(const std::string& header, const std::vector<TableColumn>
   };
   for (std::size_t i = 0; i < columns.size(); ++i) append(i, columns[i].name);
   text += '\n';
+  const std::size_t names = text.size();
   for (std::size_t k = 0; k < steps; ++k) {
+    // As long as the steps before, and some more: text that grows is copied.
+    if (k == 2) text.reserve(text.size() + (text.size() - names) * (steps - 2) / 2 * 9 / 8 + kHeadMost);
     for (std::size_t body = 0; body < bodies; ++body) {
       if (present != nullptr && !is_true(present->cell({k, body}))) continue;
       for (std::size_t i = 0; i < columns.size(); ++i) append(i, columns[i].cell(k, body));
       text += '\n';
     }
   }
-  return std::string(kRowsOfArrays) + '\n' + header + (escaped ? std::string(kEscapesLine) : "") + text;
+  text.insert(0, std::string(kRowsOfArrays) + '\n' + header + (escaped ? std::string(kEscapesLine) : ""));
+  return text;
 }
 
 }  // namespace tumble::replay

@@ -1,10 +1,29 @@
 #include "replay/arrays/mujoco_model.h"
 
+#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 
 namespace tumble::replay {
 namespace {
+
+/// Deeper than any chain of bodies, and no more than the stack holds, for bodies are read within one another.
+constexpr int kDepthMax = 1000;
+
+/// Finds the first element that lies deeper.
+struct DepthCheck : pugi::xml_tree_walker {
+  pugi::xml_node deep;
+  bool for_each(pugi::xml_node& node) override {
+    if (depth() >= kDepthMax) deep = node;
+    return !deep;
+  }
+};
+
+/// "robot.xml:12: ".
+std::string place_of(std::string_view xml, std::ptrdiff_t offset, const std::string& name) {
+  const std::string_view before = xml.substr(0, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+  return name + ':' + std::to_string(std::ranges::count(before, '\n') + 1) + ": ";
+}
 
 /// Reads the bodies of a model in document order, and the types that its default classes give to joints.
 class Model {
@@ -64,8 +83,14 @@ Result<std::vector<MujocoJoint>> read_mujoco_joints(std::string_view xml, const 
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(xml.data(), xml.size());
   if (!parsed) {
-    return bad_input(name + ": found no model in MJCF, MuJoCo's XML: byte " + std::to_string(parsed.offset) + ": " +
-                     parsed.description());
+    return bad_input(place_of(xml, parsed.offset, name) +
+                     "found no model in MJCF, MuJoCo's XML: " + parsed.description());
+  }
+  DepthCheck check;
+  document.traverse(check);
+  if (check.deep) {
+    return bad_input(place_of(xml, check.deep.offset_debug(), name) + "found elements nested deeper than " +
+                     std::to_string(kDepthMax) + ", wanted a model of fewer bodies within one another");
   }
   const pugi::xml_node root = document.child("mujoco");
   const pugi::xml_node world = root.child("worldbody");

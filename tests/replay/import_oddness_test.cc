@@ -236,5 +236,29 @@ TEST(ImportOddness, ALeapThereAndBackIsSaidWithTheNameOfTheBody) {
   EXPECT_TRUE(holds(warnings_of(leaping(50, 0)), " (\"cup\") moves by 50 m in step 20, and"));
 }
 
+// Files that no program writes must not use up the stack, and the message says where they go wrong.
+TEST(ImportOddness, AModelThatIsNestedTooDeepIsNamedByItsLine) {
+  const auto nested = [](std::size_t depth, const std::string& tag) {
+    std::string xml;
+    for (std::size_t i = 0; i < depth; ++i) xml += "<" + tag + ">\n";
+    for (std::size_t i = 0; i < depth; ++i) xml += "</" + tag + ">";
+    return xml;
+  };
+  const auto model = [](const std::string& defaults, const std::string& bodies) {
+    return read_mujoco_joints("<mujoco>\n" + defaults + "<worldbody>\n" + bodies + "</worldbody></mujoco>", "m.xml");
+  };
+  EXPECT_TRUE(model("", nested(900, "body")).ok());
+  for (const char* tag : {"body", "frame"}) {
+    const Result<std::vector<MujocoJoint>> deep = model("", nested(300'000, tag));
+    ASSERT_FALSE(deep.ok()) << tag;
+    EXPECT_EQ(deep.error().message,
+              "m.xml:1001: found elements nested deeper than 1000, wanted a model of fewer bodies within one another");
+  }
+  EXPECT_FALSE(model(nested(300'000, "default"), "").ok());
+  const Result<std::vector<MujocoJoint>> cut = read_mujoco_joints("<mujoco>\n<worldbody>\n<body", "m.xml");
+  ASSERT_FALSE(cut.ok());
+  EXPECT_TRUE(cut.error().message.starts_with("m.xml:3: found no model in MJCF")) << cut.error().message;
+}
+
 }  // namespace
 }  // namespace tumble::replay

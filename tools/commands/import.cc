@@ -1,5 +1,7 @@
 // tumble import: makes a log of a table of another engine's states.
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -54,6 +56,9 @@ Result<std::string> read_table(const std::string& path) {
   if (path != "-" && std::filesystem::is_directory(path, ignored)) return bad_input(path + ": is a folder, not a file");
   std::string text;
   bool is_archive = false;
+  if (const std::uintmax_t size = std::filesystem::file_size(path, ignored); !ignored) {
+    text.reserve(std::min<std::uintmax_t>(size, kTableBytesMax));
+  }
   std::string block(1 << 20, '\0');
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
     const auto size = static_cast<std::size_t>(file.gcount());
@@ -145,10 +150,11 @@ void print_result(const ImportCommand& options, const std::string& output, const
 }
 
 /// The table that an archive of arrays stands for.
-Result<std::string> table_of_archive(const ImportCommand& options, const std::string& bytes,
+Result<std::string> table_of_archive(const ImportCommand& options, std::string bytes,
                                      std::vector<std::string>& warnings) {
   const Result<std::vector<replay::Array>> arrays = replay::read_npz(bytes, options.table);
   if (!arrays.ok()) return arrays.error();
+  std::string().swap(bytes);  // the arrays and the table need memory enough
   replay::ArrayOptions how;
   how.scalar_last = options.scalar_last;
   how.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
@@ -171,7 +177,7 @@ Result<std::string> read_any_table(const ImportCommand& options, std::vector<std
     }
     return bytes;
   }
-  return table_of_archive(options, *bytes, warnings);
+  return table_of_archive(options, *std::move(bytes), warnings);
 }
 
 Result<replay::TableMap> map_of(const ImportCommand& options) {
