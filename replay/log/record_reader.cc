@@ -78,6 +78,16 @@ bool is_for_import(std::span<const std::byte> start) {
                              [&](std::string_view head) { return text.starts_with(head); });
 }
 
+/// What a file is that is no log, and what to do with it.
+std::string no_log(std::string_view name, std::span<const std::byte> start) {
+  if (is_for_import(start)) {
+    return ": is no log yet: 'tumble import FILE' makes one of a recorder's stream, a table or an archive of arrays";
+  }
+  if (name.ends_with(".toml"))
+    return ": is not a log: it has the name of a scene, of which 'tumble record FILE' makes one";
+  return ": is not a log: it does not begin as one; was another file meant?";
+}
+
 }  // namespace
 
 /// The prelude at byte 0. A file that is no log, a damaged log and a torn one get errors of their own.
@@ -90,12 +100,7 @@ Result<Prelude> RecordReader::read_header_prelude() const {
   if (!starts_like_log(start) && nearly_starts_like_log(start)) {
     return damaged(source_.name() + ": header at byte 0: the bytes that every log begins with are damaged");
   }
-  if (!starts_like_log(start)) {
-    return bad_input(source_.name() + (is_for_import(start)
-                                           ? ": is no log yet: 'tumble import FILE' makes one of a recorder's stream, "
-                                             "a table or an archive of arrays"
-                                           : ": is not a log: it does not begin as one; was another file meant?"));
-  }
+  if (!starts_like_log(start)) return bad_input(source_.name() + no_log(source_.name(), start));
   if (size < kPreludeBytes) {
     return damaged(source_.name() + ": torn at byte " + std::to_string(size) +
                    ", inside the header; nothing can be saved");

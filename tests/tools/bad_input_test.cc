@@ -1,6 +1,7 @@
 // Bad input of every kind: a clear message on stderr, the right exit status, nothing lost that was complete.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -43,6 +44,7 @@ TEST(BadUsage, OptionsNameWhatWasFoundAndWanted) {
   expect_error(record({"another"}), 2, "tumble record", {"another"});
   expect_error(record({"--steps", "3", "--seconds", "2"}), 2, "tumble record", {"--seconds", "--steps"});
   expect_error(record({"--steps", "-3"}), 2, "tumble record", {"--steps", "\"-3\"", "from 1"});
+  EXPECT_EQ(record({"--steps", "-3"}).err.find("for a file of that name"), std::string::npos) << "a number is no file";
   expect_error(record({"--steps", "1e3"}), 2, "tumble record", {"\"1e3\"", "whole number"});
   expect_error(record({"--seconds", "nan"}), 2, "tumble record", {"--seconds", "\"nan\"", "above 0"});
   expect_error(record({"--threads", "0"}), 2, "tumble record", {"--threads", "\"0\"", "1 to 256"});
@@ -82,6 +84,8 @@ TEST(BadUsage, WhatIsToBeImportedIsSaidToBe) {
     }
   }
   expect_error(shop.run({"info", "page.md"}), 2, "tumble info", {"page.md: is not a log"});
+  expect_error(shop.run({"recover", "a.csv", "-o", "r.tumble"}), 2, "tumble recover", {"'tumble import FILE'"});
+  expect_error(shop.run({"import", "a.csv", "--map-file", "."}), 2, "tumble import", {".: is a folder; name a file"});
 }
 
 TEST(BadScene, ErrorsNameFileLineKeyFoundAndWanted) {
@@ -92,6 +96,15 @@ TEST(BadScene, ErrorsNameFileLineKeyFoundAndWanted) {
   expect_error(shop.run({"record", "t.toml"}), 2, "tumble record", {"t.toml:2:", "gravitty"});
   shop.write("u.toml", "[world\n");
   expect_error(shop.run({"record", "u.toml"}), 2, "tumble record", {"u.toml:1:"});
+}
+
+TEST(BadScene, WhatIsNoSceneIsSaidToBe) {
+  const Workshop shop;
+  shop.record_small("s");
+  std::filesystem::create_directories(shop.path("folder"));
+  expect_error(shop.run({"record", "s.tumble"}), 2, "tumble record",
+               {"s.tumble: is a log", "wanted a scene", "--from"});
+  expect_error(shop.run({"record", "folder"}), 2, "tumble record", {"folder: found a folder, wanted a scene file"});
 }
 
 TEST(BadScene, UnknownNamesPointToTheList) {
@@ -113,6 +126,38 @@ TEST(BadOutput, IsNamedAndNothingElseIsTouched) {
   shop.record_small("r");
   expect_error(shop.run({"measure", "r.tumble", "--series", "none/x.csv"}), 2, "tumble measure", {"none/x.csv"});
   expect_error(shop.run({"measure", "r.tumble", "--series", "/dev/full"}), 4, "tumble measure", {"/dev/full"});
+  for (const Words& words : {Words{"diff", "r.tumble", "r.tumble", "--plot", "none/x.svg"},
+                             {"bench", "memory", "--scene", "s.toml", "--save", "none/x.json"},
+                             {"measure", "r.tumble", "--series", "none/x.csv"}}) {
+    const Outcome outcome = shop.run(words);
+    expect_error(outcome, 2, "tumble " + words[0], {words.end()[-2] + ": none/x", "No such file or directory"});
+    EXPECT_EQ(outcome.out, "") << "asked before the work";
+  }
+}
+
+// Root may write anywhere, so the program runs as somebody else then.
+TEST(BadOutput, BlessingAFolderThatMayNotBeWrittenIsRefusedAtOnce) {
+  const Workshop shop;
+  namespace fs = std::filesystem;
+  fs::create_directories(shop.path("suite/cases/fall"));
+  shop.write("suite/cases/fall/scene.toml", kSmallScene);
+  shop.write("suite/cases/fall/metrics.toml", "[[metric]]\nname = \"lost\"\nmax = 0\nwhy = \"nothing falls\"\n");
+  fs::permissions(shop.path(""), fs::perms::all);
+  fs::permissions(shop.path("suite"), fs::perms::all);
+  fs::permissions(shop.path("suite/cases/fall"), fs::perms(0555));
+  const std::string other =
+      ::geteuid() == 0 ? "exec setpriv --reuid=65534 --regid=65534 --clear-groups \"$0\" \"$@\"; " : "";
+  if (!other.empty() && shop.run_after(other, {"--version"}).exit != 0) GTEST_SKIP() << "no setpriv";
+  const Words bless = {"bless", "--suite", "suite", "--all", "--reason", "new"};
+  expect_error(shop.run_after(other, bless), 2, "tumble bless",
+               {"suite/cases/fall: cannot be written: Permission denied; nothing was blessed"});
+  Words dry = bless;
+  dry.emplace_back("--dry-run");
+  EXPECT_EQ(shop.run_after(other, dry).exit, 0) << "it writes nothing";
+  fs::permissions(shop.path("suite/cases/fall"), fs::perms::all);
+  fs::permissions(shop.path("suite/cases/fall/metrics.toml"), fs::perms::all);
+  const Outcome blessed = shop.run_after(other, bless);
+  EXPECT_EQ(blessed.exit, 0) << blessed.err;
 }
 
 TEST(BadLog, WhatIsNoLogIsBadInput) {
@@ -123,7 +168,7 @@ TEST(BadLog, WhatIsNoLogIsBadInput) {
     const std::string who = "tumble " + command;
     expect_error(shop.run({command, "none.tumble"}), 2, who, {"none.tumble", "No such file"});
     expect_error(shop.run({command, "."}), 2, who, {"folder"});
-    expect_error(shop.run({command, "s.toml"}), 2, who, {"s.toml", "not a log"});
+    expect_error(shop.run({command, "s.toml"}), 2, who, {"s.toml", "not a log", "'tumble record FILE'"});
   }
   expect_error(shop.run({"dump", "s.toml", "--step", "0"}), 2, "tumble dump", {"not a log"});
   expect_error(shop.run({"diff", "good.tumble", "s.toml"}), 2, "tumble diff", {"s.toml", "not a log"});

@@ -51,7 +51,8 @@ class HelpFormat : public CLI::Formatter {
 std::string is_like_an_option(const CLI::App& app, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "--") break;
-    if (word.size() < 2 || word[0] != '-' || word[1] == '-') continue;
+    constexpr std::string_view kOfNoFile = "-.0123456789";  // another option, or a number below 0
+    if (word.size() < 2 || word[0] != '-' || kOfNoFile.find(word[1]) != std::string_view::npos) continue;
     const bool known = std::ranges::any_of(app.get_options(), [&](const CLI::Option* option) {
       return std::ranges::find(option->get_snames(), std::string(1, word[1])) != option->get_snames().end();
     });

@@ -1,6 +1,9 @@
 #include "tools/files/log_files.h"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -9,6 +12,7 @@
 
 #include "replay/log/hashes_only.h"
 #include "src/base/text.h"
+#include "src/files/output_file.h"
 #include "tumble/replay/prelude.h"
 
 namespace tumble::tools {
@@ -39,7 +43,13 @@ Status claim_output(files::OutputGuard& guard, const std::string& option, const 
                     files::FileKind kind) {
   if (Status ok = guard.claim(option, path); !ok.ok()) return ok;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);
+  if (!is_file && std::filesystem::exists(path, ignored)) return {};  // a device, which is written to as it is
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  if (::access(place.parent_path().c_str(), W_OK | X_OK) != 0) {  // before the work
+    return files::cannot_open(option + ": " + printable(path), errno);
+  }
+  if (!is_file) return {};
   std::array<char, replay::kMagicEnd> start = {};
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());

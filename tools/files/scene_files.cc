@@ -5,11 +5,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "src/base/text.h"
 #include "tools/files/data_folder.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::tools {
 namespace {
@@ -34,7 +36,7 @@ std::vector<fs::path> case_folders() {
   std::vector<fs::path> folders = {suite_folder() / "cases"};
   const fs::path installed = data_folder() / "golden" / "cases";
   std::error_code error;
-  if (!fs::equivalent(folders.front(), installed, error)) folders.push_back(installed);
+  if (folders.front() != installed && !fs::equivalent(folders.front(), installed, error)) folders.push_back(installed);
   return folders;
 }
 
@@ -85,7 +87,8 @@ Result<SceneFile> find_scene(const std::string& scene) {
   if (!looks_like_path(scene)) {
     const std::vector<SceneFile> cases = find_cases();
     const auto found = std::ranges::find(cases, scene, &SceneFile::name);
-    return found != cases.end() ? Result<SceneFile>(*found) : unknown_case(scene, cases);
+    if (found != cases.end()) return *found;
+    if (!exists) return unknown_case(scene, cases);
   }
   if (exists) return bad_input(scene + ": found a folder, wanted a scene file (.toml) or the name of a golden case");
   return bad_input(scene + ": no such file; 'tumble scenes' lists the scenes that have a name");
@@ -102,6 +105,12 @@ Result<std::string> read_scene(const std::string& path) {
     if (text.size() > kSceneBytesMax) return bad_input(path + ": longer than any scene; is this the right file?");
   }
   if (file.bad()) return cannot_finish(path + ": cannot be read: " + std::strerror(errno));
+  const auto start = std::as_bytes(std::span(text)).first(std::min(text.size(), replay::kMagicEnd));
+  if (start.size() == replay::kMagicEnd && replay::starts_like_log(start)) {
+    return bad_input(path +
+                     ": is a log or a golden, wanted a scene (.toml) or the name of a golden case; 'tumble info' "
+                     "reads logs, and 'tumble record --from LOG:STEP' goes on from one");
+  }
   return text;
 }
 
