@@ -111,7 +111,7 @@ CanaryResult watch_heap() {
       return result;
     }
   }
-  result.caught = watcher.layers == 7331;
+  result.caught = watcher.layers == 10318;
   if (!result.caught) result.message = "told of " + std::to_string(watcher.layers) + " layers";
   return result;
 }

@@ -98,14 +98,14 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
                            s.visits.reach_of_body, s.visits.reach, s.energies, shares.users, shares.copies_before) +
                        held_inside(s.visits.layers)});
-  parts.push_back(
-      {"levels, islands and sleep", GrowsWith::kBodies,
-       held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked, i.layers,
-               i.reach2, i.heaviest, s.graph.start, w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y,
-               w.blows, w.first_blow, w.struck, w.stands, w.held, w.settled, w.offered, s.island_links,
-               s.waking.disturbed, s.waking.woken, s.waking.wakes, s.sleeping.touching, s.sleeping.restless,
-               s.sleeping.held, s.sleeping.together, s.sleeping.energy_before, s.graph.alone, s.ends_before) +
-           held_inside(s.waves) + held_inside(s.sent_ends) + s.homes.held()});
+  parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
+                   held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked,
+                           i.layers, i.reach2, i.heaviest, i.fast, i.hits, s.graph.start, w.start, w.waiting_for,
+                           w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck, w.stands,
+                           w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.woken,
+                           s.waking.wakes, s.sleeping.touching, s.sleeping.restless, s.sleeping.held,
+                           s.sleeping.together, s.sleeping.energy_before, s.graph.alone, s.ends_before) +
+                       held_inside(s.waves) + held_inside(s.sent_ends) + s.homes.held()});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

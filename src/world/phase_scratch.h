@@ -161,6 +161,10 @@ struct alignas(128) WaveScratch {
   std::vector<std::uint32_t> start;  ///< by wave, in `taken`; one more at the end
 };
 
+/// Values of IslandScratch::hits. kHitAlone: a contact of the island is hit fast enough to bounce; kSharedHit: one
+/// whose layer has others that share the mass of its bodies.
+inline constexpr std::uint8_t kNotHit = 0, kHitAlone = 1, kSharedHit = 2;
+
 /// The islands of a step. assign_levels writes them; carry_weights `reach2` and `heaviest`.
 struct IslandScratch {
   std::vector<BodyIndex> of, hit;                  ///< by body, the one that stands for its island; for those of hits
@@ -169,6 +173,8 @@ struct IslandScratch {
   std::vector<std::uint8_t> marked;                ///< by the body that stands for an island
   std::vector<std::uint8_t> most_sweeps, has_bar;  ///< by the body that stands for an island of hits; of its bodies
   std::vector<std::uint32_t> layers;               ///< likewise, how many
+  std::vector<std::uint8_t> fast;                  ///< by body, whether it may hit another one hard
+  std::vector<std::uint8_t> hits;                  ///< by the body that stands for an island of hits, kNotHit …
   std::vector<double> reach2, heaviest;  ///< by the body that stands for an island, m², kg; of corners and masses
 };
 

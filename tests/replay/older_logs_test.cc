@@ -73,6 +73,7 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_14_layered",
                            "format_1.3_methods_15_layered",
                            "format_1.3_methods_16_layered",
+                           "format_1.3_methods_17_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_8_thesis",
@@ -118,7 +119,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_16_layered"}) {
+  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_17_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }

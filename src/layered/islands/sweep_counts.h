@@ -17,7 +17,8 @@ int most_sweeps(std::uint32_t layers, bool hard);
 /// jam if few sweeps part them.
 int parting_sweeps(double deepest);
 
-/// Counts the sweeps of each body's contacts, when these have layers. in_hard: find_hard_islands.
+/// Counts the sweeps of each body's contacts, when these have layers. in_hard: find_hard_islands. Needs
+/// find_hits.
 void count_sweeps(const WorldState& state, Scratch& scratch, std::span<const std::uint8_t> in_hard);
 
 /// Counts the sweeps of part_overlaps for contacts whose island has overlaps of more than one sweep's worth. The

@@ -9,6 +9,8 @@
 #include "src/layered/islands/hard_islands.h"
 #include "src/layered/islands/sweep_counts.h"
 #include "src/layered/order/contact_graph.h"
+#include "src/layered/order/contact_motion.h"
+#include "src/layered/order/find_hits.h"
 #include "src/layered/order/waves.h"
 
 namespace tumble::sim {
@@ -60,11 +62,24 @@ void measure_levels(const WorldState& state, Scratch& scratch, const Worker& wor
   });
 }
 
-// Layer 2 l holds the manifolds between levels l and l + 1, layer 2 l + 1 those within level l.
-std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const Link& m) {
+// Whether a body that touches several things at rest meets this one: as a crate that slides on a floor meets a wall.
+bool meets_beside(const Bodies& bodies, const Scratch& scratch, std::size_t k) {
+  const ContactGraph& graph = scratch.graph;
+  int touched = 0;
+  for_ends(graph, mover_of(bodies, graph.links[k]),
+           [&](const ContactEnd& contact) { touched += at_rest(bodies, contact.other) ? 1 : 0; });
+  return touched > 1 && meets(bodies, scratch, scratch.manifolds[k]);
+}
+
+// Layer 2 l holds the manifolds between levels l and l + 1, layer 2 l + 1 those within level l; layer 1, since things
+// at rest need none, those by which a body meets one thing at rest beside another. In one layer with those that it
+// rests on they would share its mass, and so stop it, and throw it back, in part.
+std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, std::size_t k) {
+  const Link& m = scratch.graph.links[k];
   const auto level = [&](BodyIndex i) { return at_rest(state.bodies, i) ? 0U : scratch.level[i]; };
   const std::uint32_t a = level(m.a), b = level(m.b);
   if (a == kUnreached && b == kUnreached) return kUnreached;
+  if (std::min(a, b) == 0) return meets_beside(state.bodies, scratch, k) ? 1U : 0U;
   return 2 * std::min(a, b) + (a == b ? 1U : 0U);
 }
 
@@ -83,7 +98,7 @@ class Layers {
     homes.for_own(worker, links.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         if (!links[k].awake) continue;
-        links[k].layer = layer_for(state_, scratch_, links[k]);
+        links[k].layer = layer_for(state_, scratch_, k);
         if (links[k].layer != kUnreached) raise(highest[in_hard(links[k])], links[k].layer);
       }
     });
@@ -168,6 +183,7 @@ Status assign_levels(WorldState& state, Scratch& scratch, double dt_s) {
   const std::span<const std::uint8_t> in_hard = find_hard_islands(state, scratch, dt_s);
   Layers layers(state, scratch, in_hard);
   work_together(scratch.workers, parts, [&](const Worker& worker) { layers.sort(worker); });
+  find_hits(state, scratch);
   count_sweeps(state, scratch, in_hard);
   return {};
 }

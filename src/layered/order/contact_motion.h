@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "src/kernels/contacts/contact_batch.h"
 #include "src/layered/islands/awake_links.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
@@ -29,6 +32,17 @@ struct Parting {
 inline Parting parting_of(const Bodies& bodies, const Manifold& m) {
   const Vec3 w = spin_of(bodies, m.b) - spin_of(bodies, m.a);
   return {dot(velocity_across(bodies, m), m.n), dot(w, m.t1), dot(w, m.t2)};
+}
+
+/// Whether a point of the contact closes faster than that, m/s.
+inline bool closes_by(const Bodies& bodies, const Scratch& scratch, const Manifold& m, double least) {
+  const Parting parting = parting_of(bodies, m);
+  const std::span<const ManifoldPoint> points = points_of(scratch, m);
+  return std::ranges::any_of(points, [&](const ManifoldPoint& p) { return parting.at(p) < -least; });
+}
+/// Whether the bodies meet, and do not only rest on one another.
+inline bool meets(const Bodies& bodies, const Scratch& scratch, const Manifold& m) {
+  return closes_by(bodies, scratch, m, kRestingSpeed);
 }
 
 /// m/s², gravity along the normal, positive where b is above; 0 where the normal is so flat that neither supports.

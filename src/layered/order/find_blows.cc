@@ -1,10 +1,8 @@
 #include "src/layered/order/find_blows.h"
 
-#include <algorithm>
 #include <numeric>
 #include <span>
 
-#include "src/kernels/contacts/contact_batch.h"
 #include "src/layered/order/contact_motion.h"
 #include "src/math/grid.h"
 
@@ -12,12 +10,6 @@ namespace tumble::sim {
 namespace {
 
 constexpr double kTippingLever = 0.1;  // of the smallest half extent; a hit from the side with less of it only pushes
-
-bool meets(const Bodies& bodies, const Scratch& scratch, const Manifold& m) {
-  const Parting parting = parting_of(bodies, m);
-  const std::span<const ManifoldPoint> points = points_of(scratch, m);
-  return std::ranges::any_of(points, [&](const ManifoldPoint& p) { return parting.at(p) < -kRestingSpeed; });
-}
 
 // m, the middle of a manifold's points from the centre of body b.
 Vec3 middle_of(const Scratch& scratch, const Manifold& m) {

@@ -99,7 +99,8 @@ class PointsOfLane {
   void separate_bounce(double substep_s) {
     const auto touches = [&](const PointBatch& point) { return point.separation.of[lane_] <= kMet; };
     const auto meets = [&](const PointBatch& point) {
-      return point.separation.of[lane_] + point.approach.of[lane_] * substep_s < 0;
+      const double separation = point.separation.of[lane_], approach = point.approach.of[lane_];
+      return separation + 0.5 * (approach + speed_now(point)) * substep_s < 0;
     };
     const bool now = std::ranges::any_of(points_, [&](const PointBatch& p) { return fast(p) && touches(p); });
     const bool later = !now && std::ranges::any_of(points_, [&](const PointBatch& p) { return fast(p) && meets(p); });
@@ -115,12 +116,17 @@ class PointsOfLane {
  private:
   bool fast(const PointBatch& point) const { return point.approach.of[lane_] <= -kFastBounceMin; }
 
-  // Takes back the speed that foresee_impact has added for a meeting after a fall.
+  // m/s, without what foresee_impact has added for a meeting after a fall.
+  double speed_now(const PointBatch& point) const {
+    const double separation = point.separation.of[lane_], approach = point.approach.of[lane_];
+    if (separation <= 0 || approach >= 0) return approach;
+    return -std::sqrt(std::max(0.0, approach * approach + 2 * acceleration_ * separation));
+  }
+
   void meet_here(PointBatch& point) const {
-    double &separation = point.separation.of[lane_], &approach = point.approach.of[lane_];
-    if (separation <= 0) return;
-    approach = -std::sqrt(std::max(0.0, approach * approach + 2 * acceleration_ * separation));
-    separation = 0;
+    if (point.separation.of[lane_] <= 0) return;
+    point.approach.of[lane_] = speed_now(point);
+    point.separation.of[lane_] = 0;
   }
 
   std::span<PointBatch> points_;

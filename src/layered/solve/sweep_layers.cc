@@ -12,11 +12,17 @@
 namespace tumble::sim {
 namespace {
 
+constexpr int kBounceSweepsMax = 8;
 constexpr int kFastVisits = 4;  // of the contacts of fast pairs after a sweep; impacts have one substep to be solved
 
 Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
 
-int sweeps_of(const SweepGroup& group, Sweep sweep) { return sweep == Sweep::kRestitution ? 1 : group.sweeps; }
+// A bounce takes as many sweeps as its push, but for tall towers; and one in hard islands, where many would throw out
+// what is light between heavy bodies.
+int sweeps_of(const SweepGroup& group, Sweep sweep) {
+  if (sweep != Sweep::kRestitution) return group.sweeps;
+  return group.hard ? 1 : std::min(kBounceSweepsMax, group.sweeps);
+}
 
 // Calls task(sweeper) for all workers that share the sweeps.
 template <class Task>

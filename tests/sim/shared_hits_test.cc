@@ -1,0 +1,121 @@
+// Bodies that touch something else while they are hit bounce as their law of restitution says.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::test {
+namespace {
+
+using sim::SceneDef;
+using sim::Vec3;
+using sim::World;
+
+constexpr double kDt = 1.0 / 60;
+constexpr double kRestitution = 0.5;
+constexpr double kOffsets[] = {0, 0.02, 0.05, 0.07, 0.1, 0.13, 0.16};  // m; the hit comes early or late in a step
+constexpr int kSubsteps[] = {1, 2, 4, 8};
+
+SceneDef floor_of(int substeps, double friction) {
+  SceneDef scene = on_ground();
+  scene.world.method = sim::Method::kLayered;
+  scene.world.dt = kDt;
+  scene.world.substeps = static_cast<std::uint32_t>(substeps);
+  scene.world.ground_material = {.friction = friction, .friction_dynamic = friction, .restitution = kRestitution};
+  return scene;
+}
+
+void add(SceneDef& scene, const Vec3& size, const Vec3& position, const Vec3& velocity, bool is_static = false) {
+  sim::BoxDef body = box(static_cast<sim::BodyId>(scene.boxes.size() + 1), size, position);
+  body.velocity = velocity;
+  body.mass = 1;
+  body.is_static = is_static;
+  body.material = scene.world.ground_material;
+  scene.boxes.push_back(body);
+}
+
+World after(const SceneDef& scene, int steps) {
+  World world = made(scene);
+  for (int k = 0; k < steps; ++k) advance(world);
+  return world;
+}
+
+std::string at(int substeps, double offset) {
+  return std::to_string(substeps) + " substeps, " + std::to_string(offset) + " m";
+}
+
+TEST(SharedHits, ACrateThatSlidesBouncesOffAWall) {
+  for (const int substeps : kSubsteps) {
+    for (const double offset : kOffsets) {
+      SceneDef scene = floor_of(substeps, 0);
+      add(scene, {1, 1, 1}, {0, 0, 0.5}, {10, 0, 0});
+      add(scene, {1, 1, 1}, {3 + offset, 0, 0.5}, {0, 0, 0}, true);
+      EXPECT_NEAR(after(scene, 30).bodies().velocity[0].x(), -5, 0.001) << at(substeps, offset);
+    }
+  }
+}
+
+// Friction of the floor brakes it on its way, 0.3 g. What friction takes at the wall is little, since nothing slips
+// there.
+TEST(SharedHits, FrictionOfTheFloorTakesNoPartOfTheBounce) {
+  constexpr double kFriction = 0.3, kGravity = 9.81;
+  for (const int substeps : kSubsteps) {
+    for (const double offset : kOffsets) {
+      SceneDef scene = floor_of(substeps, kFriction);
+      add(scene, {1, 1, 1}, {0, 0, 0.5}, {10, 0, 0});
+      add(scene, {1, 1, 1}, {3 + offset, 0, 0.5}, {0, 0, 0}, true);
+      const double hit = std::sqrt(100 - 2 * kFriction * kGravity * (2 + offset));
+      const double left = kRestitution * hit - kFriction * kGravity * (1 - (10 - hit) / (kFriction * kGravity));
+      EXPECT_NEAR(after(scene, 60).bodies().velocity[0].x(), -left, 0.06) << at(substeps, offset);
+    }
+  }
+}
+
+TEST(SharedHits, ACrateThatSlidesIntoACornerComesBack) {
+  for (const int substeps : kSubsteps) {
+    for (const double offset : kOffsets) {
+      SceneDef scene = floor_of(substeps, 0);
+      add(scene, {1, 1, 1}, {0, 0, 0.5}, {5, 5, 0});
+      add(scene, {1, 8, 1}, {2 + offset, 0, 0.5}, {0, 0, 0}, true);
+      add(scene, {8, 1, 1}, {0, 2 + offset, 0.5}, {0, 0, 0}, true);
+      const World world = after(scene, 40);
+      EXPECT_NEAR(world.bodies().velocity[0].x(), -2.5, 0.02) << at(substeps, offset);
+      EXPECT_NEAR(world.bodies().velocity[0].y(), -2.5, 0.02) << at(substeps, offset);
+    }
+  }
+}
+
+// The two are hit in their middle, so all move along x: m v = m v₁ + 2 m v₂, v₂ − v₁ = e v.
+TEST(SharedHits, AWideBoxThatHitsTwoStops) {
+  for (const int substeps : kSubsteps) {
+    for (const double offset : kOffsets) {
+      SceneDef scene = floor_of(substeps, 0);
+      add(scene, {1, 3, 1}, {0, 0, 0.5}, {10, 0, 0});
+      add(scene, {1, 1, 1}, {2 + offset, 1, 0.5}, {0, 0, 0});
+      add(scene, {1, 1, 1}, {2 + offset, -1, 0.5}, {0, 0, 0});
+      const World world = after(scene, 24);
+      EXPECT_NEAR(world.bodies().velocity[0].x(), 0, 0.03) << at(substeps, offset);
+      EXPECT_NEAR(world.bodies().velocity[1].x(), 5, 0.03) << at(substeps, offset);
+      EXPECT_EQ(world.bodies().velocity[1].x(), world.bodies().velocity[2].x()) << at(substeps, offset);
+    }
+  }
+}
+
+// A body that falls bounces where it touches, and not above the ground because it would have touched a little later.
+TEST(SharedHits, WhatFallsTouchesBeforeItBounces) {
+  for (const int substeps : kSubsteps) {
+    for (double height = 0.02; height < 1; height += 0.03) {
+      SceneDef scene = floor_of(substeps, 0);
+      add(scene, {1, 1, 1}, {0, 0, 0.5 + height}, {0, 0, 0});
+      World world = made(scene);
+      for (int k = 0; world.bodies().velocity[0].z() <= 0 && k < 60; ++k) advance(world);
+      const double up = world.bodies().velocity[0].z(), fastest = kRestitution * std::sqrt(2 * 9.81 * height);
+      EXPECT_LE(world.bodies().position[0].z() - 0.5, fastest * kDt + 0.0005) << at(substeps, height) << ", " << up;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tumble::test
