@@ -1,10 +1,13 @@
 // Bodies that touch something else while they are hit bounce as their law of restitution says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "src/collide/box_pair.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/rotation.h"
 
 namespace tumble::test {
 namespace {
@@ -99,6 +102,38 @@ TEST(SharedHits, AWideBoxThatHitsTwoStops) {
       EXPECT_NEAR(world.bodies().velocity[0].x(), 0, 0.03) << at(substeps, offset);
       EXPECT_NEAR(world.bodies().velocity[1].x(), 5, 0.03) << at(substeps, offset);
       EXPECT_EQ(world.bodies().velocity[1].x(), world.bodies().velocity[2].x()) << at(substeps, offset);
+    }
+  }
+}
+
+// The deepest overlap of two bodies, m.
+double deepest(const sim::Bodies& bodies) {
+  const auto frame = [&](std::size_t i) {
+    return sim::BoxFrame{bodies.position[i], sim::axes_of(bodies.orientation[i]), bodies.half_extent[i]};
+  };
+  double deepest = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t k = i + 1; k < bodies.size(); ++k) {
+      deepest = std::max(deepest, -sim::BoxPair(frame(i), frame(k)).best(sim::kFaces | sim::kEdges).separation);
+    }
+  }
+  return deepest;
+}
+
+TEST(SharedHits, WhatHitsAHeapDrivesNoBoxIntoAnother) {
+  for (const int substeps : {2, 4, 8}) {
+    SceneDef scene = floor_of(substeps, 0.4);
+    scene.world.ground_material.restitution = 0;
+    for (int k = 0; k < 36; ++k) {
+      const Vec3 place = {static_cast<double>(k % 4) - 1.5, static_cast<double>(k / 4 % 3), k / 12 + 0.5};
+      add(scene, {1, 1, 1}, place, {0, 0, 0});
+    }
+    add(scene, {1, 1, 1}, {0, -8, 1.5}, {0, 30, 0});
+    scene.boxes.back().mass = 5;
+    World world = made(scene);
+    for (int k = 0; k < 40; ++k) {
+      advance(world);
+      EXPECT_LT(deepest(world.bodies()), 0.06) << substeps << " substeps, step " << k;
     }
   }
 }
