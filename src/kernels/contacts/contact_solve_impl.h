@@ -70,13 +70,14 @@ V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
 }
 
 // The part of a bounce that gives back e² of the absorbed energy, where all of it would give back more. Newton's law of
-// restitution alone adds energy where friction turns the body during the impact (Stronge 1990). initial: J, the work of
-// the bounce at the velocities before it; gained: J, what its own change of velocity adds. Without friction the law
-// keeps the energy, and with masses split among contacts neither work would be right.
+// restitution alone adds energy where friction, or the step, turns the body during the impact (Stronge 1990). initial:
+// J, the work of the bounce at the velocities before it; gained: J, what its own change of velocity adds. With masses
+// split among contacts neither work is right, and without friction the law is left to itself there.
 template <class V, template <class> class B>
 V part_of_bounce(const Manifolds<V, B>& m, V initial, V gained) {
   const V e = m.get(m.batch->restitution), limit = e * e * larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
-  const auto too_much = (m.get(m.batch->friction) > 0.0) & (initial + gained > limit);
+  const auto alone = (m.get(m.batch->split_a) <= 1.0) & (m.get(m.batch->split_b) <= 1.0);
+  const auto too_much = ((m.get(m.batch->friction) > 0.0) | alone) & (initial + gained > limit);
   const V root = square_root(larger(V{}, initial * initial + 4.0 * gained * limit));
   const V part = smaller(one, larger(V{}, (root - initial) / (2.0 * gained)));
   return too_much ? part : one;
