@@ -76,8 +76,9 @@ V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
 template <class V, template <class> class B>
 V part_of_bounce(const Manifolds<V, B>& m, V initial, V gained) {
   const V e = m.get(m.batch->restitution), limit = e * e * larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
-  const auto alone = (m.get(m.batch->split_a) <= 1.0) & (m.get(m.batch->split_b) <= 1.0);
-  const auto too_much = ((m.get(m.batch->friction) > 0.0) | alone) & (initial + gained > limit);
+  const V friction = m.get(m.batch->friction), split = larger(m.get(m.batch->split_a), m.get(m.batch->split_b));
+  const auto judged = (friction > 0.0) | (split <= 1.0);
+  const auto too_much = judged & (initial + gained > limit);
   const V root = square_root(larger(V{}, initial * initial + 4.0 * gained * limit));
   const V part = smaller(one, larger(V{}, (root - initial) / (2.0 * gained)));
   return too_much ? part : one;
