@@ -65,10 +65,10 @@ void measure_levels(const WorldState& state, Scratch& scratch, const Worker& wor
 // Whether a body that touches several things at rest meets this one: as a crate that slides on a floor meets a wall.
 bool meets_beside(const Bodies& bodies, const Scratch& scratch, std::size_t k) {
   const ContactGraph& graph = scratch.graph;
-  int touched = 0;
-  for_ends(graph, mover_of(bodies, graph.links[k]),
-           [&](const ContactEnd& contact) { touched += at_rest(bodies, contact.other) ? 1 : 0; });
-  return touched > 1 && meets(bodies, scratch, scratch.manifolds[k]);
+  const auto beside = [&](const ContactEnd& contact) {
+    return contact.manifold != k && at_rest(bodies, contact.other);
+  };
+  return any_end(graph, mover_of(bodies, graph.links[k]), beside) && meets(bodies, scratch, scratch.manifolds[k]);
 }
 
 // Layer 2 l holds the manifolds between levels l and l + 1, layer 2 l + 1 those within level l; layer 1, since things

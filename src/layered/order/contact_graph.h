@@ -17,15 +17,25 @@ struct ContactEnd {
   BodyIndex other = kGround;
 };
 
-/// Calls visit(end) for the awake contacts of a body.
-template <class Visit>
-void for_ends(const ContactGraph& graph, BodyIndex i, Visit visit) {
+/// Whether is(end) for one of the awake contacts of a body.
+template <class Is>
+bool any_end(const ContactGraph& graph, BodyIndex i, Is is) {
   for (std::uint32_t k = graph.start[i]; k < graph.start[i + 1]; ++k) {
     const std::uint32_t manifold = graph.ends[k] / 2;
     const bool is_b = graph.ends[k] % 2 != 0;
     const ContactGraph::Link& link = graph.links[manifold];
-    visit(ContactEnd{manifold, is_b, is_b ? link.a : link.b});
+    if (is(ContactEnd{manifold, is_b, is_b ? link.a : link.b})) return true;
   }
+  return false;
+}
+
+/// Calls visit(end) for the awake contacts of a body.
+template <class Visit>
+void for_ends(const ContactGraph& graph, BodyIndex i, Visit visit) {
+  any_end(graph, i, [&](const ContactEnd& end) {
+    visit(end);
+    return false;
+  });
 }
 
 /// Who adds to a body while bodies in contact with it are treated in waves: a worker alone, where all of them are at

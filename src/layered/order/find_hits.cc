@@ -31,13 +31,11 @@ bool is_shared(const Scratch& scratch, std::size_t k, BodyIndex i) {
   const ContactGraph& graph = scratch.graph;
   const Link& link = graph.links[k];
   const BodyIndex other = i == link.a ? link.b : link.a;
-  bool shared = false;
-  for_ends(graph, i, [&](const ContactEnd& end) {
-    if (end.manifold == k || graph.links[end.manifold].layer != link.layer) return;
+  return any_end(graph, i, [&](const ContactEnd& end) {
+    if (end.manifold == k || graph.links[end.manifold].layer != link.layer) return false;
     const double along = dot(scratch.manifolds[k].n, scratch.manifolds[end.manifold].n);
-    shared |= end.other != other || std::fabs(along) < kAlongOneNormal;
+    return end.other != other || std::fabs(along) < kAlongOneNormal;
   });
-  return shared;
 }
 
 }  // namespace
