@@ -8,6 +8,7 @@ from ._errors import BadInput, Error
 from ._values import path_bytes, utf8
 
 _PRECISIONS = {"float32": 24, "float64": 53}
+_TEXT_MOST = 1000  # characters of an exception that a log keeps
 
 
 class Recorder:
@@ -48,10 +49,8 @@ class Recorder:
         return self
 
     def __exit__(self, kind, error, trace):
-        failed = kind is not None and issubclass(kind, (Exception, KeyboardInterrupt))
-        why = f"the program ended it with {kind.__name__}: {error}" if failed else ""
         try:
-            self._close(why.encode(errors="backslashreplace").decode())
+            self._close(_reason(kind, error))
         except Error:
             if error is None:
                 raise
@@ -132,6 +131,20 @@ class Recorder:
         log, self._log = self._log, _Finished(self._path)  # which lets go of the file
         if not log.finished:
             log.finish(why)
+
+
+def _reason(kind, error):
+    """Why an exception ends a session; empty where none does."""
+    if kind is None or not issubclass(kind, (Exception, KeyboardInterrupt)):
+        return ""
+    try:
+        text = str(error)
+    except Exception:  # the log is closed all the same
+        text = ""
+    if len(text) > _TEXT_MOST:
+        text = text[:_TEXT_MOST] + "..."
+    why = f"the program ended it with {kind.__name__}" + (f": {text}" if text else "")
+    return why.encode(errors="backslashreplace").decode().replace("\0", "\\x00")
 
 
 class _Finished:

@@ -35,3 +35,22 @@ def test_a_log_keeps_why_it_ends(tmp_path):
     with recorder(path) as log:
         log.step(**zeros())
     assert not reason()
+
+
+class Mute(Exception):
+    def __str__(self):
+        raise RuntimeError("no text")
+
+
+@pytest.mark.parametrize("error, text", [
+    (Mute(), "the program ended it with Mute"),
+    (KeyboardInterrupt(), "the program ended it with KeyboardInterrupt"),
+    (ValueError("a" * 100_000), "the program ended it with ValueError: " + "a" * 1000 + "..."),
+    (ValueError("b\udc80\0c"), "the program ended it with ValueError: b\\udc80\\x00c"),
+], ids=["mute", "empty", "long", "no character"])
+def test_the_text_of_an_exception_may_be_any(tmp_path, error, text):
+    path = tmp_path / "x.tumble"
+    with pytest.raises(type(error)), recorder(path) as log:
+        log.step(**zeros())
+        raise error
+    assert [note for note in tumble.diff(path, path).notes if note.endswith(": " + text)]
