@@ -37,9 +37,12 @@ Status copy_log(LogReader& log, const std::string& reason, RecordWriter& writer)
   return writer.finish();
 }
 
-Result<std::uint64_t> rewrite(const std::string& path, const std::string& reason) {
+Result<std::uint64_t> rewrite(const std::string& path, const std::string& reason, const LogSummary& written) {
   Result<LogReader> log = LogReader::open(path);
   if (!log.ok()) return log.error();
+  const Result<Hash128> chain = log->chain_at(log->last_step());
+  if (!chain.ok()) return chain.error();
+  if (log->file_bytes() != written.bytes || *chain != written.chain) return bad_input(path + ": is another log by now");
   Result<files::OutputFile> file = files::OutputFile::create(path);
   if (!file.ok()) return file.error();
   std::uint64_t bytes = 0;
@@ -56,10 +59,16 @@ Result<std::uint64_t> rewrite(const std::string& path, const std::string& reason
 
 }  // namespace
 
+std::string place_of_log(const std::string& path) {
+  std::error_code no_folder;
+  const std::filesystem::path place = std::filesystem::absolute(path, no_folder);
+  return no_folder ? path : place.string();
+}
+
 Status keep_end_reason(const std::string& path, const std::string& reason, LogSummary& summary) {
   std::error_code no_file;
-  if (reason.empty() || !std::filesystem::is_regular_file(path, no_file)) return {};
-  const Result<std::uint64_t> bytes = rewrite(path, reason);
+  if (reason.empty() || path.empty() || std::filesystem::is_other(path, no_file)) return {};
+  const Result<std::uint64_t> bytes = rewrite(path, reason, summary);
   if (!bytes.ok()) return cannot_finish("the log is complete, but cannot keep why it ends: " + bytes.error().message);
   summary.bytes = *bytes;
   return {};

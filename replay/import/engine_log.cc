@@ -80,6 +80,8 @@ LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   return header;
 }
 
+constexpr const char* kFinished = "the log is finished, and takes no more calls";
+
 Error bad_step(std::uint64_t step, const std::string& message) {
   return bad_input("step " + std::to_string(step) + ": " + message);
 }
@@ -89,7 +91,7 @@ Error bad_step(std::uint64_t step, const std::string& message) {
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const std::string& path, const EngineDef& def,
                                                      const sim::SceneDef& start) {
   Result<std::unique_ptr<EngineLog>> log = create([&] { return open_file_sink(path); }, def, start);
-  if (log.ok()) (*log)->path_ = path;
+  if (log.ok()) (*log)->path_ = place_of_log(path);
   return log;
 }
 
@@ -251,6 +253,7 @@ Status EngineLog::check_all_told() {
 }
 
 Status EngineLog::end_step(double dt_s) {
+  if (!writer_) return bad_input(kFinished);
   if (!(dt_s >= sim::kDtMin && dt_s <= sim::kDtMax)) {
     return at_step("found a dt of " + exact(dt_s) + " s, wanted " + exact(sim::kDtMin) + " … " + exact(sim::kDtMax) +
                    " s");
@@ -285,11 +288,11 @@ void EngineLog::drop_step() {
 }
 
 Result<LogSummary> EngineLog::finish(const std::string& why) {
+  if (!writer_) return bad_input(kFinished);
   if (!inputs_.empty() || !told_.empty() || !values_->empty() || !extras_.empty())
     return bad_step(step(), "was begun but not ended, wanted end_step() before finish()");
-  Result<LogSummary> summary = writer_->finish();
+  Result<LogSummary> summary = std::exchange(writer_, nullptr)->finish();  // and lets go of the file
   if (!summary.ok()) return summary;
-  writer_.reset();  // lets go of the file
   const Status kept = keep_end_reason(path_, refusal_.empty() ? why : refusal_, *summary);
   return kept.ok() ? summary : kept.error();
 }

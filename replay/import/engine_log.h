@@ -124,7 +124,8 @@ class EngineLog {
 
   /// Completes the log. Where a call was refused before, the header of a log that was created by its path keeps that
   /// as the reason why the session may have had more steps (Declared::cut_short); else it keeps `why`, if that is not
-  /// empty. Errors. kBadInput: inputs or states without end_step(). kCannotFinish: writing fails.
+  /// empty. Errors. kBadInput: inputs or states without end_step(), a second call. kCannotFinish: writing fails, or the
+  /// complete log cannot keep the reason.
   Result<LogSummary> finish(const std::string& why = {});
 
   /// The number of the coming step: 1 before the first end_step().

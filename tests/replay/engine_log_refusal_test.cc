@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -225,6 +226,55 @@ TEST(EngineLogRefusal, IsKeptAsTheReasonWhyTheLogEnds) {
   ASSERT_TRUE(summary.ok()) << summary.error().message;
   EXPECT_EQ(end_of(*summary), "");
   std::remove(path.c_str());
+}
+
+// A reason goes into the log that was written, whatever has its name when the log is finished.
+TEST(EngineLogRefusal, TheReasonGoesIntoNoOtherLog) {
+  namespace fs = std::filesystem;
+  const fs::path before = fs::current_path(), folder = fs::path(testing::TempDir()) / "reasons";
+  fs::create_directories(folder / "other");
+  const auto begun = [](const std::string& path) {
+    sim::SceneDef start;
+    start.boxes = {cube(1)};
+    auto log = EngineLog::create(path, {{"toy", "1"}}, start);
+    EXPECT_TRUE(log.ok() && (*log)->set_state(1, {}).ok() && (*log)->end_step(0.01).ok());
+    return *std::move(log);
+  };
+  const auto end_of = [](const fs::path& path) { return not_whole(*LogReader::open(path.string())); };
+  EXPECT_TRUE(begun((folder / "other" / "x.tumble").string())->finish().ok());
+  fs::current_path(folder);
+  std::unique_ptr<EngineLog> log = begun("x.tumble");
+  fs::current_path("other");
+  EXPECT_TRUE(log->finish("stopped").ok());
+  fs::current_path(before);
+  EXPECT_TRUE(end_of(folder / "x.tumble").ends_with("stopped"));
+  EXPECT_EQ(end_of(folder / "other" / "x.tumble"), "");
+
+  for (const bool is_gone : {true, false}) {
+    const std::string path = (folder / "y.tumble").string();
+    log = begun(path);
+    fs::rename(path, folder / "moved.tumble");
+    if (!is_gone) {
+      const std::unique_ptr<EngineLog> another = begun(path);
+      EXPECT_TRUE(another->set_state(1, {}).ok() && another->end_step(0.01).ok() && another->finish().ok());
+    }
+    const Result<LogSummary> summary = log->finish("stopped");
+    ASSERT_FALSE(summary.ok()) << "nothing keeps the reason";
+    EXPECT_NE(summary.error().message.find("the log is complete, but cannot keep why it ends: "), std::string::npos);
+    EXPECT_EQ(end_of(folder / "moved.tumble"), "");
+    if (!is_gone) {
+      EXPECT_EQ(end_of(path), "");
+    }
+  }
+  fs::remove_all(folder);
+}
+
+TEST(EngineLogRefusal, OfCallsAfterTheLastOne) {
+  const auto log = log_of(cube(1));
+  ASSERT_TRUE(log.ok() && (*log)->finish().ok());
+  EXPECT_FALSE((*log)->finish().ok());
+  EXPECT_TRUE((*log)->set_state(1, {}).ok());
+  EXPECT_FALSE((*log)->end_step(0.01).ok());
 }
 
 }  // namespace
