@@ -1,6 +1,7 @@
 // A body that another engine added later in a session has its name wherever a verdict names the body.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace {
 /// What the session with the late body does otherwise.
 struct Session {
   double place = 0, knee = 0.5, grip = 0.5, impulse = 1;
+  std::uint64_t from = 6;  // the step
 };
 
 replay::EngineState at(double x) {
@@ -52,9 +54,9 @@ replay::LogReader session(const Session& does) {
     }
     EXPECT_TRUE((*log)->set_state(1, at(0)).ok());
     if (k >= 3) {
-      EXPECT_TRUE((*log)->set_state(9, at(3 + (k >= 6 ? does.place : 0))).ok());
-      EXPECT_TRUE((*log)->set_value(0, k >= 6 ? does.grip : 0.5, {1, 9}).ok());
-      EXPECT_TRUE((*log)->set_value(1, k >= 6 ? does.knee : 0.5, {9, 0}).ok());
+      EXPECT_TRUE((*log)->set_state(9, at(3 + (k >= does.from ? does.place : 0))).ok());
+      EXPECT_TRUE((*log)->set_value(0, k >= does.from ? does.grip : 0.5, {1, 9}).ok());
+      EXPECT_TRUE((*log)->set_value(1, k >= does.from ? does.knee : 0.5, {9, 0}).ok());
     }
     EXPECT_TRUE((*log)->end_step(0.01).ok());
   }
@@ -84,6 +86,8 @@ TEST(LateNames, AreInEveryDetailOfADifference) {
   says({.place = 0.5}, "apart (body 9 (late), step");
   says({.knee = 0.75}, "channel.knee of body 9 (late): expected 0.5, actual 0.75");
   says({.grip = 0.75}, "channel.grip of the pair 1 (first) and 9 (late): expected 0.5, actual 0.75");
+  says({.place = 0.5, .from = 3}, "body 9 (late), position.x");
+  says({.knee = 0.75, .from = 3}, "channel.knee of body 9 (late): expected 0.5, actual 0.75");
   says({.impulse = 2}, "of body 9 (late): 1 → 2");
 }
 

@@ -1,6 +1,7 @@
 // `tumble dump` and `tumble info` as docs/commands.md describes them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <iostream>
@@ -114,7 +115,7 @@ TEST(Program, ALongDumpIsAlignedFromItsFirstLine) {
   EXPECT_TRUE(line.starts_with("Rounded; --csv and --json print every bit.")) << line;
   const std::string last = shop.run({"dump", "s.tumble", "--steps", "8000:9000"}).out;
   const auto rows_of = [](const std::string& text) {  // without blanks, for fewer rows have narrower columns
-    std::string behind = text.substr(text.find("\n8000 "));
+    std::string behind = text.substr(std::min(text.find("\n8000 "), text.size()));
     std::erase(behind, ' ');
     return behind;
   };
@@ -140,7 +141,7 @@ TEST(LongTable, KeepsFewRowsAndPrintsMoreAsTheyComeAgain) {
     testing::internal::CaptureStdout();
     kept.print();
     std::cout.flush();
-    EXPECT_EQ(printed, testing::internal::GetCapturedStdout()) << rows << " rows";
+    EXPECT_TRUE(printed == testing::internal::GetCapturedStdout()) << rows << " rows";
   }
 }
 
