@@ -107,7 +107,7 @@ std::string five_boxes(bool heap) {
   constexpr const char* kHeap = R"(
 [[box]]
 size = [0.2, 0.3, 0.25]
-position = [0.02, 0.0, 0.4]
+position = [0.03, 0.0, 0.4]
 axis = [1, 0.3, 0.2]
 degrees = 40
 [[box]]

@@ -68,6 +68,8 @@ Status check_outputs(const RenderArguments& arguments, const RenderPlan& plan) {
   guard.keep(arguments.log, "the log that is drawn");
   guard.keep(arguments.compare, "the log of --compare");
   if (plan.kind != OutputKind::kFolder) return claim_output(guard, "-o", plan.output, files::kind_by_name(plan.output));
+  std::error_code ignored;
+  if (!std::filesystem::exists(plan.output, ignored)) return {};  // prepare_output makes the folder
   const bool only_states = has_only_states(plan);
   for (std::size_t i = 0; i < plan.frames.size(); ++i) {
     if (Status ok = claim_output(guard, "-o", picture_path(plan, i, only_states), files::FileKind::kPng); !ok.ok())
