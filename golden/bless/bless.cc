@@ -19,6 +19,7 @@
 #include "replay/log/told_values.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
+#include "src/files/output_file.h"
 
 namespace tumble::golden {
 namespace {
@@ -164,7 +165,7 @@ Status can_write(const BlessOptions& options, const std::vector<CaseFolder>& fol
   std::vector<std::filesystem::path> places = {options.suite};
   for (const CaseFolder& folder : folders) places.push_back(folder.path);
   for (const std::filesystem::path& place : places) {
-    const Status ok = can_write_in(place);
+    const Status ok = files::can_write_in(place, place);
     if (!ok.ok()) return Error{ok.error().kind, ok.error().message + "; nothing was blessed"};
   }
   return {};

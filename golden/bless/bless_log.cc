@@ -12,6 +12,7 @@
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
+#include "src/files/output_file.h"
 #include "src/scenes/problem.h"
 #include "tumble/golden/judge.h"
 #include "tumble/replay/compare.h"
@@ -77,7 +78,8 @@ Status check_request(const NewCase& options) {
   if (fs::exists(folder, error)) return bad_input(folder.string() + ": is there already; choose another name");
   if (options.dry_run) return {};
   const fs::path cases = options.suite / "cases";
-  return can_write_in(fs::is_directory(cases, error) ? cases : options.suite);
+  const fs::path& place = fs::is_directory(cases, error) ? cases : options.suite;
+  return files::can_write_in(place, place);
 }
 
 /// The scene of a log as the file of a case.

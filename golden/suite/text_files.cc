@@ -1,7 +1,5 @@
 #include "golden/suite/text_files.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -54,11 +52,6 @@ Status write_file(const fs::path& path, std::string_view content) {
 
 Status write_file(const fs::path& path, std::span<const std::byte> content) {
   return write_file(path, std::string_view(reinterpret_cast<const char*>(content.data()), content.size()));
-}
-
-Status can_write_in(const fs::path& folder) {
-  if (::access(folder.c_str(), W_OK | X_OK) == 0) return {};
-  return files::cannot_open(folder.string(), errno);
 }
 
 std::vector<std::string> lines_of(std::string_view text) {

@@ -24,9 +24,6 @@ Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path);
 Status write_file(const std::filesystem::path& path, std::string_view content);
 Status write_file(const std::filesystem::path& path, std::span<const std::byte> content);
 
-/// Asked before work whose results go into a folder that is there. Errors: as write_file().
-Status can_write_in(const std::filesystem::path& folder);
-
 /// Without the ends of lines.
 std::vector<std::string> lines_of(std::string_view text);
 

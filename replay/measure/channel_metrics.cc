@@ -13,6 +13,8 @@ constexpr std::array<const char*, 6> kStatisticNames = {"min", "max", "mean", "l
 
 }  // namespace
 
+std::span<const char* const> channel_statistic_names() { return kStatisticNames; }
+
 const char* name_of(ChannelStatistic statistic) { return kStatisticNames.at(static_cast<std::size_t>(statistic)); }
 
 std::optional<ChannelMetricName> parse_channel_metric(std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,8 @@ enum class ChannelStatistic : std::uint8_t {
   kChanges = 5     ///< the number of such changes
 };
 
-/// "min", "max", …
+/// "min", "max", …, in the order of their values.
+std::span<const char* const> channel_statistic_names();
 const char* name_of(ChannelStatistic statistic);
 
 /// One channel over a session.

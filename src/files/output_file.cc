@@ -37,6 +37,11 @@ Error cannot_open(const std::string& path, int error) {
   return is_systems ? cannot_finish(message) : bad_input(message);
 }
 
+Status can_write_in(const std::string& folder, const std::string& path) {
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return {};
+  return cannot_open(path, errno);
+}
+
 Result<OutputFile> OutputFile::create(const std::string& path) {
   OutputFile out;
   out.path_ = path;

@@ -16,6 +16,10 @@ int open_to_write(const std::string& place, int flags);
 /// system is at fault, else kBadInput.
 Error cannot_open(const std::string& path, int error);
 
+/// Asked before work whose results go into a folder that is there; the error names the path, which is the folder itself
+/// or what shall lie in it. Errors: as cannot_open().
+Status can_write_in(const std::string& folder, const std::string& path);
+
 /// Writes a file under a name of its own in the same folder and renames it when it is complete. A full disk, a failure
 /// or a crash leaves the old file as it was. A path that leads through symbolic links replaces the file they lead to.
 /// Only regular files are replaced: a device or a pipe is written to as it is.

@@ -89,7 +89,7 @@ std::vector<const replay::MetricRow*> metrics_of(const std::vector<Metrics>& run
   };
   for (const Metrics& run : runs) {
     for (const replay::ChannelMetrics& channel : run.channels) {
-      for (const char* statistic : {"min", "max", "mean", "last", "change_max", "changes"}) {
+      for (const char* statistic : replay::channel_statistic_names()) {
         add("channel." + channel.channel.name + "." + statistic);
       }
     }

@@ -1,9 +1,6 @@
 #include "tools/files/log_files.h"
 
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -46,8 +43,8 @@ Status claim_output(files::OutputGuard& guard, const std::string& option, const 
   const bool is_file = std::filesystem::is_regular_file(path, ignored);
   if (!is_file && std::filesystem::exists(path, ignored)) return {};  // a device, which is written to as it is
   const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  if (::access(place.parent_path().c_str(), W_OK | X_OK) != 0) {  // before the work
-    return files::cannot_open(option + ": " + printable(path), errno);
+  if (Status ok = files::can_write_in(place.parent_path().string(), option + ": " + printable(path)); !ok.ok()) {
+    return ok;
   }
   if (!is_file) return {};
   std::array<char, replay::kMagicEnd> start = {};
