@@ -2,6 +2,7 @@
 
 import collections.abc
 import os
+import warnings
 
 from . import _tumble
 from ._errors import BadInput, Error
@@ -51,9 +52,10 @@ class Recorder:
     def __exit__(self, kind, error, trace):
         try:
             self._close(_reason(kind, error))
-        except Error:
+        except Error as lost:
             if error is None:
                 raise
+            _add_to(error, str(lost))
 
     def __repr__(self):
         return f"<tumble.Recorder {self._path!r}>"
@@ -145,6 +147,14 @@ def _reason(kind, error):
         text = text[:_TEXT_MOST] + "..."
     why = f"the program ended it with {kind.__name__}" + (f": {text}" if text else "")
     return why.encode(errors="backslashreplace").decode().replace("\0", "\\x00")
+
+
+def _add_to(error, text):
+    """Tells what went wrong while an exception ended a session: beside the exception, where that is shown."""
+    if hasattr(error, "add_note") and isinstance(error, (Exception, KeyboardInterrupt)):
+        error.add_note(text)
+    else:
+        warnings.warn(text, RuntimeWarning, stacklevel=4)
 
 
 class _Finished:

@@ -1,5 +1,7 @@
 """Logs whose session ended early keep why."""
 
+import warnings
+
 import numpy
 import pytest
 
@@ -54,3 +56,20 @@ def test_the_text_of_an_exception_may_be_any(tmp_path, error, text):
         log.step(**zeros())
         raise error
     assert [note for note in tumble.diff(path, path).notes if note.endswith(": " + text)]
+
+
+@pytest.mark.parametrize("error", [ValueError("of the body"), SystemExit(3)], ids=["shown", "not shown"])
+def test_what_closing_says_is_not_lost_beside_an_exception(tmp_path, error):
+    """The log cannot keep why it ends: another one has its name by then."""
+    path = tmp_path / "x.tumble"
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        with pytest.raises(type(error)) as raised, recorder(path) as log:
+            log.step(**zeros())
+            with pytest.raises(tumble.BadInput):
+                log.step(**zeros(), dt=0)
+            path.rename(tmp_path / "moved.tumble")
+            raise error
+    said = getattr(raised.value, "__notes__", []) + [str(one.message) for one in warned]
+    assert raised.value is error
+    assert len(said) == 1 and "cannot keep why it ends" in said[0]
