@@ -128,6 +128,9 @@ class EngineLog {
   /// complete log cannot keep the reason.
   Result<LogSummary> finish(const std::string& why = {});
 
+  /// After finish(), whether it succeeded or not.
+  [[nodiscard]] bool is_finished() const { return writer_ == nullptr; }
+
   /// The number of the coming step: 1 before the first end_step().
   [[nodiscard]] std::uint64_t step() const { return world_.state().step + 1; }
 

@@ -12,7 +12,8 @@
  *
  * Every function but _new, _message and _free returns TUMBLE_OK or the kind of error; tumble_log_message() then says
  * what was found and what was wanted. After an error every further call returns the same one, so a program may look at
- * the last call alone. No function may be called for one log from two threads at once. */
+ * the last call alone. A call that is refused (TUMBLE_BAD_INPUT) after tumble_log_begin() completes the log at once: it
+ * has the steps before, and keeps why it ends. No function may be called for one log from two threads at once. */
 
 /* The names of C: NOLINTBEGIN(modernize-deprecated-headers,readability-identifier-naming) */
 
@@ -154,7 +155,9 @@ TumbleLogStatus tumble_log_named_snapshot(TumbleLog* log, const char* name, cons
 TumbleLogStatus tumble_log_end_step(TumbleLog* log, double dt);
 TumbleLogStatus tumble_log_finish(TumbleLog* log);
 
-/* Without tumble_log_finish() the log reads as torn after its last whole chunk. NULL is fine. */
+/* Without tumble_log_finish() the log reads as torn after its last whole chunk, unless a call was refused. NULL is
+ * fine.
+ */
 void tumble_log_free(TumbleLog* log);
 
 #ifdef __cplusplus

@@ -1,8 +1,10 @@
 #include "replay/import/engine_log_c_impl.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "replay/format/step_values.h"
 
@@ -73,6 +75,14 @@ Status tumble::replay::declare_channels(TumbleLog& log) {
   }
   values.move_to(declared.start);
   return {};
+}
+
+void tumble::replay::end_refused(TumbleLog& log) {
+  const std::unique_ptr<EngineLog> ended = std::move(log.log);
+  if (ended->is_finished()) return;
+  ended->drop_step();
+  const Result<LogSummary> summary = ended->finish("a call was refused: " + log.status.error().message);
+  if (!summary.ok()) log.status = bad_input(log.status.error().message + "; " + summary.error().message);
 }
 
 TumbleLogStatus tumble_log_add_channel(TumbleLog* log, const char* name, TumbleLogKind kind, TumbleLogScope scope,

@@ -45,6 +45,10 @@ inline TumbleLogStatus kind_of(const Status& status) {
   return status.error().kind == ErrorKind::kBadInput ? TUMBLE_BAD_INPUT : TUMBLE_CANNOT_FINISH;
 }
 
+/// Completes a log whose step was refused, since no further call is taken: it has the steps before, and keeps why it
+/// ends. Adds to the refusal where that fails.
+void end_refused(TumbleLog& log);
+
 /// Runs a call unless an earlier one failed. Catches all exceptions, because none may reach C.
 template <class Call>
 TumbleLogStatus guarded(TumbleLog* log, Call call) {
@@ -52,6 +56,7 @@ TumbleLogStatus guarded(TumbleLog* log, Call call) {
   if (!log->status.ok()) return kind_of(log->status);
   try {
     log->status = call();
+    if (log->log && kind_of(log->status) == TUMBLE_BAD_INPUT) end_refused(*log);
   } catch (const std::exception& error) {
     log->status = cannot_finish(std::string("out of memory: ") + error.what());
   }

@@ -82,6 +82,11 @@ TEST(EngineLogRefusal, OfAnOrientationThatAProgramInCForgot) {
   const TumbleLogState forgotten = {};
   EXPECT_EQ(tumble_log_set_state(log, 1, &forgotten), TUMBLE_BAD_INPUT);
   EXPECT_NE(std::string(tumble_log_message(log)).find("found an orientation of length 0"), std::string::npos);
+  const Result<LogReader> left = LogReader::open(path);  // though the program may end here
+  ASSERT_TRUE(left.ok()) << left.error().message;
+  EXPECT_TRUE(left->condition().whole());
+  EXPECT_NE(not_whole(*left).find("may have gone on: a call was refused: step 1: body 1: found an"), std::string::npos);
+  EXPECT_EQ(tumble_log_finish(log), TUMBLE_BAD_INPUT) << "it is whole, and its session is not";
   tumble_log_free(log);
   std::remove(path.c_str());
 }
