@@ -36,6 +36,13 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
   return result;
 }
 
+/// A canary that cannot write its files would tell that the build cannot be trusted.
+Status has_room_for_canaries() {
+  constexpr std::size_t kBytes = std::size_t{256} << 10;  // several times what one of them writes
+  constexpr std::size_t kFiles = 16;
+  return check_temporary_place(kBytes, kFiles);
+}
+
 }  // namespace
 
 Result<SuiteResult> check_suite(const CheckOptions& options) {
@@ -59,9 +66,12 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
   }
   if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
+  if (Status ok = has_room_for_canaries(); !ok.ok()) return ok.error();
   const CanaryRoll canaries =
       run_canaries(options.canary_judge, result.shard, result.shards);  // bad input is said first
   result.canaries = canaries.results();
+  // A disk that became full meanwhile, and no build, may be why.
+  if (Status ok = result.canaries_caught() ? Status() : has_room_for_canaries(); !ok.ok()) return ok.error();
   // Asked here too: no case may be the shard's, or all may end before the signal is seen.
   const auto interrupted = [&] { return options.pool.cancel && options.pool.cancel(); };
   if (interrupted()) return cannot_finish("interrupted before the first case");

@@ -159,6 +159,15 @@ Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vect
   return handed;
 }
 
+/// What blessing may replace. Rules that cannot be read are told by the case's run.
+std::vector<std::filesystem::path> files_of(const CaseFolder& folder) {
+  std::vector<std::filesystem::path> files = {folder.file(kRulesFile), folder.file(kExpectedFile)};
+  const Result<CaseRules> rules = read_rules(folder.file(kRulesFile));
+  if (!rules.ok()) return files;
+  for (const PictureRule& picture : rules->pictures) files.push_back(folder.path / picture.file());
+  return files;
+}
+
 /// Writes nothing for any case where one of them cannot be written.
 Status can_write(const BlessOptions& options, const std::vector<CaseFolder>& folders) {
   if (options.dry_run) return {};
@@ -166,6 +175,12 @@ Status can_write(const BlessOptions& options, const std::vector<CaseFolder>& fol
   for (const CaseFolder& folder : folders) places.push_back(folder.path);
   for (const std::filesystem::path& place : places) {
     const Status ok = files::can_write_in(place, place);
+    if (!ok.ok()) return Error{ok.error().kind, ok.error().message + "; nothing was blessed"};
+  }
+  std::vector<std::filesystem::path> files = {options.suite / kHistoryFile};
+  for (const CaseFolder& folder : folders) std::ranges::copy(files_of(folder), std::back_inserter(files));
+  for (const std::filesystem::path& file : files) {
+    const Status ok = files::may_write(file.string());
     if (!ok.ok()) return Error{ok.error().kind, ok.error().message + "; nothing was blessed"};
   }
   return {};

@@ -119,6 +119,10 @@ void RepeatedRuns::judge_metrics_of_all() {
       metric.message = (has_moved(metric) ? "moved by more than" : "within") +
                        (" the engine's own spread of " + rounded(*metric.spread, metric.unit));
     }
+    if (!metric.pass && metric.spread.value_or(0) > 0) {
+      metric.message += "; the median of " + std::to_string(values.size()) + " runs, from " +
+                        rounded(values.front(), metric.unit) + " to " + rounded(values.back(), metric.unit);
+    }
   }
   const auto failed = std::ranges::count_if(result.metrics, [](const MetricResult& m) { return !m.pass; });
   const auto moved = std::ranges::count_if(result.metrics, has_moved);

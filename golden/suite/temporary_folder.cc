@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
+#include <string>
 #include <system_error>
 
 #include "src/base/text.h"
@@ -24,8 +25,7 @@ TemporaryFolder::~TemporaryFolder() {
   files::forget_short_lived_folder(path_.string());
 }
 
-Status check_temporary_place() {
-  constexpr std::size_t kProbeBytes = 512;  // a full disk takes none
+Status check_temporary_place(std::size_t bytes, std::size_t files) {
   constexpr const char* kRemedy = "; free some space, or set TMPDIR to a folder that can be written";
   std::error_code error;
   const std::filesystem::path place = std::filesystem::temp_directory_path(error);
@@ -41,9 +41,12 @@ Status check_temporary_place() {
     return cannot_finish(place.string() + ": no temporary files can be written" + why + kRemedy);
   };
   if (folder.path().empty()) return wrong();
-  std::ofstream probe(folder.path() / "probe", std::ios::binary);
-  probe << std::string(kProbeBytes, 'x') << std::flush;
-  return probe.good() ? Status() : wrong();
+  for (std::size_t k = 0; k < files; ++k) {
+    std::ofstream probe(folder.path() / std::to_string(k), std::ios::binary);
+    probe << std::string(k == 0 ? bytes : 1, 'x') << std::flush;
+    if (!probe.good()) return wrong();
+  }
+  return {};
 }
 
 }  // namespace tumble::golden

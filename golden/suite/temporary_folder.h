@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -7,9 +8,9 @@
 
 namespace tumble::golden {
 
-/// Whether files can be written in the system's place for temporary files. Errors (kCannotFinish): the place, what is
-/// wrong with it, and how to name another.
-Status check_temporary_place();
+/// Whether files can be written in the system's place for temporary files: one of so many bytes (a full disk takes
+/// none) and small ones beside it. Errors (kCannotFinish): the place, what is wrong with it, and how to name another.
+Status check_temporary_place(std::size_t bytes = 512, std::size_t files = 1);
 
 /// A new folder for temporary files, named PREFIX-PROCESS-XXXXXX in `within` or the system's place for them, removed
 /// with this object, by the signal that ends the program or, where that was SIGKILL, by the next program that makes a

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "src/base/check.h"
@@ -17,6 +18,8 @@ namespace tumble::files {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
+
+Error is_a_folder(const std::string& path) { return bad_input(path + ": is a folder; name a file"); }
 
 }  // namespace
 
@@ -48,7 +51,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   out.place_ = resolved(path).string();
   struct stat old = {};
   const bool exists = ::stat(out.place_.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return bad_input(path + ": is a folder; name a file");
+  if (exists && S_ISDIR(old.st_mode)) return is_a_folder(path);
   if (exists && ::access(out.place_.c_str(), W_OK) != 0) return cannot_open(path, errno);
   out.in_place_ = exists && !S_ISREG(old.st_mode);
   out.replaces_ = exists && !out.in_place_;
@@ -138,6 +141,17 @@ Status OutputFile::commit() {
   forget_part(part_);
   part_.clear();
   return {};
+}
+
+Status may_write(const std::string& path) {
+  const std::filesystem::path place = resolved(path);
+  struct stat old = {};
+  const bool exists = ::stat(place.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) return is_a_folder(path);
+  if (exists && ::access(place.c_str(), W_OK) != 0) return cannot_open(path, errno);
+  if (exists && !S_ISREG(old.st_mode)) return {};  // is written where it is
+  const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
+  return ::access(folder.c_str(), W_OK | X_OK) == 0 ? Status() : cannot_open(path, errno);
 }
 
 Status write_whole_file(const std::string& path, std::string_view content) {

@@ -64,6 +64,10 @@ class OutputFile {
   bool replaces_ = false;  // a regular file that is there
 };
 
+/// Asked before work whose result goes into a file: as create() and commit() would fail, as far as rights tell, and
+/// nothing is touched.
+Status may_write(const std::string& path);
+
 /// A small file at once.
 Status write_whole_file(const std::string& path, std::string_view content);
 

@@ -71,6 +71,28 @@ TEST_F(Bless, DryRunWritesNothing) {
   EXPECT_EQ(history(), before);
 }
 
+// A folder stands for a file that may not be written: it stops root too.
+TEST_F(Bless, AsksForEveryFileBeforeAnyCaseRuns) {
+  suite_.edit("fall", kSceneFile, "2.0]", "2.5]");
+  const auto refusal = [&] {
+    BlessOptions options = {suite_.root(), {"fall"}, "because", false, {}};
+    bool ran = false;
+    options.pool.cancel = [&] { return ran = true; };
+    const Result<BlessReport> report = bless_cases(options);
+    EXPECT_FALSE(ran);
+    EXPECT_TRUE(report.ok() || report.error().kind == ErrorKind::kBadInput);
+    return report.ok() ? std::string("blessed") : report.error().message;
+  };
+  for (const std::filesystem::path& file : {suite_.root() / kHistoryFile, suite_.file("fall", kExpectedFile)}) {
+    const std::string moved = file.string() + ".moved";
+    std::filesystem::rename(file, moved);
+    std::filesystem::create_directory(file);
+    EXPECT_EQ(refusal(), file.string() + ": is a folder; name a file; nothing was blessed");
+    std::filesystem::remove(file);
+    std::filesystem::rename(moved, file);
+  }
+}
+
 TEST_F(Bless, RefusesAMetricOutOfItsBounds) {
   suite_.edit("fall", kRulesFile, "max = 100.0", "max = 1e-9");
   const Result<BlessReport> report = bless();

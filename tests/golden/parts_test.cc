@@ -1,7 +1,9 @@
 // The parts of the suite by themselves: canaries that a bad judge does not see, files, reports.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <set>
@@ -133,6 +135,32 @@ TEST(Canaries, ShowAJudgeThatSeesNothingOrTooMuch) {
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->failed_cases(), 0U);
   EXPECT_FALSE(result->passed());
+}
+
+// No build can be told by files that could not be written.
+TEST(Canaries, AreNotBlamedForADiskThatBecameFull) {
+  const TemporarySuite suite;
+  suite.add("fall");
+  suite.bless();
+  CheckOptions options;
+  options.suite = suite.root();
+  options.canary_judge = [](replay::LogReader& log, const Reference& reference) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit = {};
+    ::getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = 1000;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    return judge(log, reference);
+  };
+  const Result<SuiteResult> result = check_suite(options);
+  rlimit limit = {};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  ASSERT_FALSE(result.ok()) << "a canary is blamed";
+  EXPECT_EQ(result.error().kind, ErrorKind::kCannotFinish);
+  EXPECT_NE(result.error().message.find(": no temporary files can be written: "), std::string::npos)
+      << result.error().message;
 }
 
 TEST(Canaries, AreAskedOnceNothingIsWrongWithTheSuite) {

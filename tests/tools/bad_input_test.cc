@@ -151,6 +151,11 @@ TEST(BadOutput, BlessingAFolderThatMayNotBeWrittenIsRefusedAtOnce) {
   const Words bless = {"bless", "--suite", "suite", "--all", "--reason", "new"};
   expect_error(shop.run_after(other, bless), 2, "tumble bless",
                {"suite/cases/fall: cannot be written: Permission denied; nothing was blessed"});
+  fs::permissions(shop.path("suite/cases/fall"), fs::perms::all);
+  fs::permissions(shop.path("suite/cases/fall/metrics.toml"), fs::perms(0444));
+  expect_error(shop.run_after(other, bless), 2, "tumble bless",
+               {"suite/cases/fall/metrics.toml: cannot be written: Permission denied; nothing was blessed"});
+  fs::permissions(shop.path("suite/cases/fall"), fs::perms(0555));
   Words dry = bless;
   dry.emplace_back("--dry-run");
   EXPECT_EQ(shop.run_after(other, dry).exit, 0) << "it writes nothing";
