@@ -19,8 +19,6 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-Error is_a_folder(const std::string& path) { return bad_input(path + ": is a folder; name a file"); }
-
 }  // namespace
 
 int open_to_write(const std::string& place, int flags) {
@@ -45,14 +43,23 @@ Status can_write_in(const std::string& folder, const std::string& path) {
   return cannot_open(path, errno);
 }
 
+Status may_write(const std::string& path) {
+  const std::filesystem::path place = resolved(path);
+  struct stat old = {};
+  const bool exists = ::stat(place.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) return bad_input(path + ": is a folder; name a file");
+  if (exists && ::access(place.c_str(), W_OK) != 0) return cannot_open(path, errno);
+  if (exists && !S_ISREG(old.st_mode)) return {};  // a device or a pipe, which is written to as it is
+  return can_write_in(place.has_parent_path() ? place.parent_path().string() : ".", path);
+}
+
 Result<OutputFile> OutputFile::create(const std::string& path) {
+  if (Status ok = may_write(path); !ok.ok()) return ok.error();
   OutputFile out;
   out.path_ = path;
   out.place_ = resolved(path).string();
   struct stat old = {};
   const bool exists = ::stat(out.place_.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return is_a_folder(path);
-  if (exists && ::access(out.place_.c_str(), W_OK) != 0) return cannot_open(path, errno);
   out.in_place_ = exists && !S_ISREG(old.st_mode);
   out.replaces_ = exists && !out.in_place_;
   if (out.in_place_) {
@@ -141,17 +148,6 @@ Status OutputFile::commit() {
   forget_part(part_);
   part_.clear();
   return {};
-}
-
-Status may_write(const std::string& path) {
-  const std::filesystem::path place = resolved(path);
-  struct stat old = {};
-  const bool exists = ::stat(place.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return is_a_folder(path);
-  if (exists && ::access(place.c_str(), W_OK) != 0) return cannot_open(path, errno);
-  if (exists && !S_ISREG(old.st_mode)) return {};  // is written where it is
-  const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
-  return ::access(folder.c_str(), W_OK | X_OK) == 0 ? Status() : cannot_open(path, errno);
 }
 
 Status write_whole_file(const std::string& path, std::string_view content) {

@@ -20,6 +20,10 @@ Error cannot_open(const std::string& path, int error);
 /// or what shall lie in it. Errors: as cannot_open().
 Status can_write_in(const std::string& folder, const std::string& path);
 
+/// Asked before work whose result goes into a file in a folder that is there: whether rights allow it. Touches nothing.
+/// Errors (kBadInput): a folder, no permission, no such folder.
+Status may_write(const std::string& path);
+
 /// Writes a file under a name of its own in the same folder and renames it when it is complete. A full disk, a failure
 /// or a crash leaves the old file as it was. A path that leads through symbolic links replaces the file they lead to.
 /// Only regular files are replaced: a device or a pipe is written to as it is.
@@ -63,10 +67,6 @@ class OutputFile {
   bool in_place_ = false;  // a device or a pipe
   bool replaces_ = false;  // a regular file that is there
 };
-
-/// Asked before work whose result goes into a file: as create() and commit() would fail, as far as rights tell, and
-/// nothing is touched.
-Status may_write(const std::string& path);
 
 /// A small file at once.
 Status write_whole_file(const std::string& path, std::string_view content);
