@@ -120,8 +120,8 @@ void RepeatedRuns::judge_metrics_of_all() {
                        (" the engine's own spread of " + rounded(*metric.spread, metric.unit));
     }
     if (!metric.pass && metric.spread.value_or(0) > 0) {
-      metric.message += "; the median of " + std::to_string(values.size()) + " runs, from " +
-                        rounded(values.front(), metric.unit) + " to " + rounded(values.back(), metric.unit);
+      metric.message += "; " + std::to_string(values.size()) + " runs gave " + rounded(values.front(), metric.unit) +
+                        " to " + rounded(values.back(), metric.unit);
     }
   }
   const auto failed = std::ranges::count_if(result.metrics, [](const MetricResult& m) { return !m.pass; });

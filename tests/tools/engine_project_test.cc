@@ -229,6 +229,11 @@ TEST(EngineCase, RepeatedRunsAreJudgedAgainstTheirOwnSpread) {
   EXPECT_EQ(one["verdicts"]["exact"]["outcome"], "fail");
   EXPECT_GT(one["metrics"][0]["spread"].get<double>(), 0);
   EXPECT_EQ(shop.run({"check", "--require", "exact", "--report", "r"}).exit, 1);
+  std::string rules = shop.read("golden/cases/stack/metrics.toml");
+  shop.write("golden/cases/stack/metrics.toml", rules.replace(rules.find("max = 5"), 7, "max = -1"));
+  const Outcome beyond = shop.run({"check", "--report", "r"});
+  EXPECT_EQ(beyond.exit, 1);
+  EXPECT_TRUE(says(beyond.out + beyond.err, "; 3 runs gave ")) << beyond.out << beyond.err;
 }
 
 // A golden that the engine itself does not meet again would fail by itself.
