@@ -38,7 +38,8 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
 
 /// A canary that cannot write its files would tell that the build cannot be trusted.
 Status has_room_for_canaries() {
-  constexpr std::size_t kBytes = std::size_t{256} << 10;  // with files of at most 64 KiB a canary goes missing, with 128 KiB none does
+  // Where files may have 64 KiB at most a canary goes missing, with 128 KiB none does.
+  constexpr std::size_t kBytes = std::size_t{256} << 10;
   constexpr std::size_t kFiles = 16;
   return check_temporary_place(kBytes, kFiles);
 }

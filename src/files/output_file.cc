@@ -43,14 +43,15 @@ Status can_write_in(const std::string& folder, const std::string& path) {
   return cannot_open(path, errno);
 }
 
-Status may_write(const std::string& path) {
+Status may_write(const std::string& path, const std::string& named) {
+  const std::string& name = named.empty() ? path : named;
   const std::filesystem::path place = resolved(path);
   struct stat old = {};
   const bool exists = ::stat(place.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) return bad_input(path + ": is a folder; name a file");
-  if (exists && ::access(place.c_str(), W_OK) != 0) return cannot_open(path, errno);
+  if (exists && S_ISDIR(old.st_mode)) return bad_input(name + ": is a folder; name a file");
+  if (exists && ::access(place.c_str(), W_OK) != 0) return cannot_open(name, errno);
   if (exists && !S_ISREG(old.st_mode)) return {};  // a device or a pipe, which is written to as it is
-  return can_write_in(place.has_parent_path() ? place.parent_path().string() : ".", path);
+  return can_write_in(place.has_parent_path() ? place.parent_path().string() : ".", name);
 }
 
 Result<OutputFile> OutputFile::create(const std::string& path) {

@@ -20,9 +20,9 @@ Error cannot_open(const std::string& path, int error);
 /// or what shall lie in it. Errors: as cannot_open().
 Status can_write_in(const std::string& folder, const std::string& path);
 
-/// Asked before work whose result goes into a file in a folder that is there: whether rights allow it. Touches nothing.
-/// Errors (kBadInput): a folder, no permission, no such folder.
-Status may_write(const std::string& path);
+/// Asked before work whose result goes into a file in a folder that is there: whether rights allow it. Touches nothing;
+/// the error names the file as `named`, or by its path. Errors (kBadInput): a folder, no permission, no such folder.
+Status may_write(const std::string& path, const std::string& named = {});
 
 /// Writes a file under a name of its own in the same folder and renames it when it is complete. A full disk, a failure
 /// or a crash leaves the old file as it was. A path that leads through symbolic links replaces the file they lead to.

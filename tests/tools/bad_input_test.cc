@@ -136,6 +136,30 @@ TEST(BadOutput, IsNamedAndNothingElseIsTouched) {
 }
 
 // Root may write anywhere, so the program runs as somebody else then.
+std::string as_another() {
+  return ::geteuid() == 0 ? "exec setpriv --reuid=65534 --regid=65534 --clear-groups \"$0\" \"$@\"; " : "";
+}
+
+TEST(BadOutput, AFileThatMayNotBeWrittenIsNamedBeforeTheWork) {
+  const Workshop shop;
+  shop.write("s.toml", kSmallScene);
+  shop.record_small("r");
+  std::filesystem::permissions(shop.path(""), std::filesystem::perms::all);
+  const std::string other = as_another();
+  if (!other.empty() && shop.run_after(other, {"--version"}).exit != 0) GTEST_SKIP() << "no setpriv";
+  for (const Words& words : {Words{"diff", "r.tumble", "r.tumble", "--plot", "x.svg"},
+                             {"export", "r.tumble", "-o", "x.npz"},
+                             {"render", "r.tumble", "--step", "1", "-o", "x.png"}}) {
+    const std::string& file = words.back();
+    shop.write(file, "");
+    std::filesystem::permissions(shop.path(file), std::filesystem::perms(0444));
+    const Outcome outcome = shop.run_after(other, words);
+    expect_error(outcome, 2, "tumble " + words[0],
+                 {words.end()[-2] + ": " + file + ": cannot be written: Permission denied"});
+    EXPECT_EQ(outcome.out, "") << "asked before the work";
+  }
+}
+
 TEST(BadOutput, BlessingAFolderThatMayNotBeWrittenIsRefusedAtOnce) {
   const Workshop shop;
   namespace fs = std::filesystem;
@@ -145,8 +169,7 @@ TEST(BadOutput, BlessingAFolderThatMayNotBeWrittenIsRefusedAtOnce) {
   fs::permissions(shop.path(""), fs::perms::all);
   fs::permissions(shop.path("suite"), fs::perms::all);
   fs::permissions(shop.path("suite/cases/fall"), fs::perms(0555));
-  const std::string other =
-      ::geteuid() == 0 ? "exec setpriv --reuid=65534 --regid=65534 --clear-groups \"$0\" \"$@\"; " : "";
+  const std::string other = as_another();
   if (!other.empty() && shop.run_after(other, {"--version"}).exit != 0) GTEST_SKIP() << "no setpriv";
   const Words bless = {"bless", "--suite", "suite", "--all", "--reason", "new"};
   expect_error(shop.run_after(other, bless), 2, "tumble bless",

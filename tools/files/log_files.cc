@@ -42,10 +42,7 @@ Status claim_output(files::OutputGuard& guard, const std::string& option, const 
   std::error_code ignored;
   const bool is_file = std::filesystem::is_regular_file(path, ignored);
   if (!is_file && std::filesystem::exists(path, ignored)) return {};  // a device, which is written to as it is
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  if (Status ok = files::can_write_in(place.parent_path().string(), option + ": " + printable(path)); !ok.ok()) {
-    return ok;
-  }
+  if (Status ok = files::may_write(path, option + ": " + printable(path)); !ok.ok()) return ok;  // before the work
   if (!is_file) return {};
   std::array<char, replay::kMagicEnd> start = {};
   std::ifstream file(path, std::ios::binary);
