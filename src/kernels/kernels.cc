@@ -5,6 +5,7 @@
 
 #include "src/kernels/body_kernels_impl.h"
 #include "src/kernels/box_tests_impl.h"
+#include "src/kernels/contacts/contact_impacts_impl.h"
 #include "src/kernels/contacts/contact_outcomes_impl.h"
 #include "src/kernels/contacts/contact_prepare_impl.h"
 #include "src/kernels/contacts/contact_renew_impl.h"
@@ -80,33 +81,60 @@ template <int kWidth>
 [[gnu::flatten]] void prepare_all(const ContactWork& work) {
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { prepare<decltype(v)>(work, batch, at); });
 }
+// Solves some lanes of a batch.
+template <int kWidth>
+void solve_lanes(const ContactWork& work, std::size_t k, Sweep sweep, unsigned lanes) {
+  ContactBatch& batch = work.batches[k];
+  PointBatch* const points = work.points + batch.first;
+  const bool some = lanes != used_lanes(batch);
+  KeptLanes kept;
+  if (some) kept.keep(batch, points);
+  for_packs_of<kWidth>(batch, [&](auto v, ContactBatch& of, unsigned at) { solve<decltype(v)>(work, of, at, sweep); });
+  if (some) kept.put_back(batch, points, lanes);
+}
+// Makes some lanes of a batch bounce and others hold. Apart, so that the usual sweeps stay small.
+template <int kWidth>
+[[gnu::flatten, gnu::noinline, gnu::cold]] void solve_both(const ContactWork& work, std::size_t k, unsigned bounce,
+                                                           unsigned hold) {
+  solve_lanes<kWidth>(work, k, Sweep::kRestitution, bounce);
+  const KeptOutcomes kept(work.outcomes + 2 * k * kLanes * kOutcomeDoubles);
+  solve_lanes<kWidth>(work, k, Sweep::kHold, hold);
+  kept.put_back(bounce);
+}
+// In kRestitution the lanes that do not bounce hold.
+template <int kWidth>
+void solve_due(const ContactWork& work, std::size_t k, Sweep sweep, unsigned due) {
+  if (sweep == Sweep::kStop) {
+    sweep = Sweep::kRestitution;
+  } else if (sweep == Sweep::kRestitution) {
+    const unsigned bounce = due & work.batches[k].bounces, hold = due & ~bounce;
+    if (bounce != 0 && hold != 0) return solve_both<kWidth>(work, k, bounce, hold);
+    if (bounce == 0) sweep = Sweep::kHold;
+  }
+  solve_lanes<kWidth>(work, k, sweep, due);
+}
 template <int kWidth>
 [[gnu::flatten]] Due solve_all(const ContactWork& work, Sweep sweep) {
   bool any_due = false, any_settled = false;
   for (std::size_t k = 0; k < work.count; ++k) {
-    const bool passed_by = sweep == Sweep::kRestitution && !work.batches[k].bounces;
     const BatchSides& sides = work.sides[k];
-    const std::uint8_t* const sweeps = sweep == Sweep::kPart ? sides.parting : sides.sweeps;
-    const unsigned due = passed_by ? 0 : due_lanes(work.visit, sides) & lanes_in_sweep(sweeps, work.visit.sweep);
+    const std::uint8_t* const usual = sweep == Sweep::kPart ? sides.parting : sides.sweeps;
+    const std::uint8_t* const sweeps = work.visit.bounces ? sides.turns : usual;
+    unsigned due = due_lanes(work.visit, sides) & lanes_in_sweep(sweeps, work.visit.sweep);
+    if (sweep == Sweep::kStop) due &= work.batches[k].met & ~unsigned{work.batches[k].bounces};
     if (due == 0 && work.leaves_old) {
       any_settled = true;
       continue;
     }
-    ContactBatch& batch = work.batches[k];
-    PointBatch* const points = work.points + batch.first;
     fetch_next(work, k);
-    const bool all_due = due == used_lanes(batch);
-    KeptLanes kept;
-    if (!all_due && due != 0) kept.keep(batch, points);
+    const ContactBatch& batch = work.batches[k];
     if (due != 0) {
-      for_packs_of<kWidth>(batch,
-                           [&](auto v, ContactBatch& of, unsigned at) { solve<decltype(v)>(work, of, at, sweep); });
+      solve_due<kWidth>(work, k, sweep, due);
       note_visit(work.visit, work.sides[k], due);
       any_due = true;
     }
-    if (all_due) continue;
+    if (due == used_lanes(batch)) continue;
     any_settled = true;
-    if (due != 0) kept.put_back(batch, points, due);
     if (!work.leaves_old) clear_outcomes(work.outcomes + 2 * k * kLanes * kOutcomeDoubles, batch.used, due);
   }
   return !any_due ? Due::kNone : any_settled ? Due::kSome : Due::kAll;
@@ -142,11 +170,42 @@ template <int kWidth>
 }
 
 template <int kWidth>
+[[gnu::flatten]] void begin_all_impacts(const ContactWork& work, std::size_t begin, std::size_t end,
+                                        bool has_impulses) {
+  for (std::size_t k = begin; k < end; ++k) {
+    ImpactBatch& impact = work.impacts[k];
+    for_packs_of<kWidth>(work.batches[impact.batch], [&](auto v, ContactBatch&, unsigned at) {
+      begin_impact<decltype(v)>(work, impact, at, has_impulses);
+    });
+  }
+}
+
+template <int kWidth>
+[[gnu::flatten]] void end_all_impacts(const ContactWork& work, std::size_t begin, std::size_t end) {
+  for (std::size_t k = begin; k < end; ++k) {
+    ImpactBatch& impact = work.impacts[k];
+    for_packs_of<kWidth>(work.batches[impact.batch],
+                         [&](auto v, ContactBatch&, unsigned at) { end_impact<decltype(v)>(work, impact, at); });
+  }
+}
+
+template <int kWidth>
+[[gnu::flatten]] void end_all_whole_impacts(const ContactWork& work, std::size_t begin, std::size_t end) {
+  for (std::size_t k = begin; k < end; ++k) {
+    ImpactBatch& impact = work.impacts[k];
+    for_packs_of<kWidth>(work.batches[impact.batch],
+                         [&](auto v, ContactBatch&, unsigned at) { end_whole_impact<decltype(v)>(work, impact, at); });
+  }
+}
+
+template <int kWidth>
 constexpr ContactKernels contact_kernels_of() {
-  return {prepare_all<kWidth>,       solve_all<kWidth>,
-          warm_start_all<kWidth>,    apply_outcomes<typename VectorOf<kWidth>::Type>,
-          move_on_all<kWidth>,       renew_all<kWidth>,
-          find_all_overlaps<kWidth>, begin_all_parting<kWidth>};
+  return {prepare_all<kWidth>,          solve_all<kWidth>,
+          warm_start_all<kWidth>,       apply_outcomes<typename VectorOf<kWidth>::Type>,
+          move_on_all<kWidth>,          renew_all<kWidth>,
+          find_all_overlaps<kWidth>,    begin_all_parting<kWidth>,
+          begin_all_impacts<kWidth>,    end_all_impacts<kWidth>,
+          end_all_whole_impacts<kWidth>};
 }
 
 }  // namespace

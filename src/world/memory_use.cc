@@ -43,8 +43,8 @@ std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list
 std::size_t held(const ContactBatches& b) {
   std::size_t uses = held(b.uses);
   for (const std::vector<std::uint32_t>& of_worker : b.uses) uses += held(of_worker);
-  return uses + held_by(b.batches, b.sides, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start,
-                        b.touched_end, b.counts, b.entries);
+  return uses + held_by(b.batches, b.sides, b.points, b.impacts, b.layer_start, b.place, b.order, b.touched,
+                        b.touched_start, b.touched_end, b.counts, b.entries);
 }
 std::size_t held(const FastContacts& f) {
   return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits,
@@ -99,10 +99,10 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                            s.visits.reach_of_body, s.visits.reach, s.energies, shares.users, shares.copies_before) +
                        held_inside(s.visits.layers)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
-                   held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.hard, i.marked,
-                           i.layers, i.reach2, i.heaviest, i.fast, i.hits, s.graph.start, w.start, w.waiting_for,
-                           w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck, w.stands,
-                           w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.woken,
+                   held_by(s.level, s.next_in_layer, i.of, i.hit, i.most_sweeps, i.has_bar, i.sweeps, i.turns, i.hard,
+                           i.marked, i.layers, i.reach2, i.heaviest, i.fast, i.hits, s.graph.start, w.start,
+                           w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows, w.first_blow, w.struck,
+                           w.stands, w.held, w.settled, w.offered, s.island_links, s.waking.disturbed, s.waking.woken,
                            s.waking.wakes, s.sleeping.touching, s.sleeping.restless, s.sleeping.held,
                            s.sleeping.together, s.sleeping.energy_before, s.graph.alone, s.ends_before) +
                        held_inside(s.waves) + held_inside(s.sent_ends) + s.homes.held()});

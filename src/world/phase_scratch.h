@@ -170,6 +170,7 @@ struct IslandScratch {
   std::vector<BodyIndex> of, hit;                  ///< by body, the one that stands for its island; for those of hits
   std::vector<std::uint8_t> hard;                  ///< by body, whether its island is hard
   std::vector<std::uint8_t> sweeps;                ///< by body, of its contacts in push_contacts and relax_contacts
+  std::vector<std::uint8_t> turns;                 ///< by body, of its contacts in bounces
   std::vector<std::uint8_t> marked;                ///< by the body that stands for an island
   std::vector<std::uint8_t> most_sweeps, has_bar;  ///< by the body that stands for an island of hits; of its bodies
   std::vector<std::uint32_t> layers;               ///< likewise, how many
@@ -222,6 +223,7 @@ struct WeightScratch {
 struct VisitScratch {
   std::vector<std::uint32_t> moved;  ///< by row of solver_bodies: number of the last visit that moved the body
   std::uint32_t now = 0, first = 0;  ///< number of the last visit, and of the last one before the present sweeps
+  std::uint32_t bounces = 0;         ///< number of the last visit before the bounces of the last substep
   double still = 0;                  ///< m/s or rad/s; smaller changes do not make a contact due again
 
   struct Reach {

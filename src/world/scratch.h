@@ -89,6 +89,7 @@ struct ContactBatches {
   LargeVector<ContactBatch> batches;
   std::vector<BatchSides> sides;  ///< by batch
   LargeVector<PointBatch> points;
+  std::vector<ImpactBatch> impacts;                       ///< of the batches that bounce
   std::vector<std::uint32_t> layer_start;                 ///< by layer, in `batches`
   std::vector<std::uint32_t> place;                       ///< by manifold: kLanes times batch plus lane
   std::vector<std::uint32_t> order;                       ///< the manifolds, batch by batch
@@ -167,6 +168,7 @@ struct FastContacts {
   std::vector<std::uint32_t> members;  ///< of the layer
   std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
   std::vector<std::uint8_t> waits;     ///< as `bodies`: those that bounce now
+  bool takes_along = false;            ///< bodies that bounce touch others; written by bounce_fast_contacts
   std::vector<std::uint8_t> unmet;     ///< as `found.manifolds`: of bodies that wait and do not touch
 
   [[nodiscard]] bool none() const { return pairs.empty(); }

@@ -31,6 +31,7 @@ struct RandomContacts {
   LargeVector<ContactBatch> batches;
   std::vector<BatchSides> sides;
   LargeVector<PointBatch> points;
+  std::vector<ImpactBatch> impacts;
   std::vector<Outcome> outcomes;
   std::vector<std::uint32_t> entries;
   std::vector<BodyOutcomes> touched;
@@ -54,8 +55,17 @@ struct RandomContacts {
   // The next visit; the sweeps begin anew with `begins`. Changes of less than a twentieth move nothing.
   ContactWork next_visit(bool begins) {
     if (begins) first = ++now;
-    return {batches.data(),      sides.data(),   batches.size(), points.data(), bodies.data(),
-            outcomes.data()->of, entries.data(), 0.01,           kPushPart,     {moved.data(), ++now, first, 0, 0.05}};
+    return {batches.data(),
+            sides.data(),
+            batches.size(),
+            points.data(),
+            impacts.data(),
+            bodies.data(),
+            outcomes.data()->of,
+            entries.data(),
+            0.01,
+            kPushPart,
+            {moved.data(), ++now, first, 0, false, 0.05}};
   }
 
  private:
@@ -78,7 +88,9 @@ struct RandomContacts {
     batch.used = used;
     batch.first = static_cast<std::uint32_t>(points.size());
     batch.count = 1 + used % 5;
-    batch.bounces = true;
+    batch.met = batch.bounces = static_cast<std::uint8_t>((1U << used) - 1U);
+    batch.impact = static_cast<std::uint32_t>(impacts.size());
+    impacts.emplace_back().batch = static_cast<std::uint32_t>(batches.size() - 1);
     points.resize(points.size() + batch.count, PointBatch{});
     for (unsigned lane = 0; lane < used; ++lane) fill_lane(batch, lane, static_cast<std::uint32_t>(ground));
   }
@@ -126,15 +138,19 @@ void run_kernels(RandomContacts& contacts, LaneWidth width) {
     contact.apply_outcomes(visit, contacts.touched.data(), contacts.touched.size(), due);
   };
   contact.prepare(work);
+  contact.begin_impacts(work, 0, contacts.impacts.size(), false);
   contact.warm_start(work);
   apply(work, Due::kAll);
   for (const Sweep sweep : {Sweep::kPush, Sweep::kHold, Sweep::kPart, Sweep::kRestitution}) {
+    if (sweep == Sweep::kRestitution) contact.begin_impacts(work, 0, contacts.impacts.size(), true);
     for (int k = 0; k < 4; ++k) {
       const ContactWork visit = contacts.next_visit(k == 0);
       const Due due = contact.solve(visit, sweep);
       if (due == Due::kNone) break;
       apply(visit, due);
     }
+    if (sweep == Sweep::kPush) contact.end_impacts(work, 0, contacts.impacts.size());
+    if (sweep == Sweep::kHold) contact.end_whole_impacts(work, 0, contacts.impacts.size());
   }
   contact.move_on(contacts.next_visit(true));
 }

@@ -27,6 +27,10 @@ ContactBatch& turned_batch(World& world) {
 PointBatch& turned_point(World& world) {
   return world.mutable_scratch().contact_batches.points[turned_batch(world).first];
 }
+ImpactBatch& impact(World& world) {
+  std::vector<ImpactBatch>& all = world.mutable_scratch().contact_batches.impacts;
+  return all.empty() ? all.emplace_back() : all.front();
+}
 Manifold& manifold(World& world) { return world.mutable_scratch().manifolds.front(); }
 ManifoldPoint& manifold_point(World& world) { return world.mutable_scratch().manifold_points.front(); }
 SolverBody& body(World& world) { return world.mutable_scratch().solver_bodies.front(); }
@@ -94,7 +98,7 @@ std::vector<Field> layered_fields() {
     fields.push_back({phase, "peak", [](World& w) { lane(point(w).peak) += 1; }});
     fields.push_back({phase, "twist", [](World& w) { lane(batch(w).twist) += 1; }});
     fields.push_back({phase, "sliding", [](World& w) { lane(batch(w).sliding) += 1; }});
-    fields.push_back({phase, "absorbed", [](World& w) { lane(batch(w).absorbed) += 1; }});
+    fields.push_back({phase, "absorbed", [](World& w) { lane(impact(w).absorbed) += 1; }});
   }
   for (const char* phase :
        {"apply_forces", "push_contacts", "integrate_positions", "relax_contacts", "bounce_contacts"}) {
@@ -127,6 +131,7 @@ std::vector<Field> fast_fields() {
   };
   for (const char* phase : {"push_contacts", "integrate_positions", "relax_contacts"}) {
     fields.push_back({phase, "impulse", [=](World& w) { lane(fast(w).batches.points[0].impulse) += 1; }});
+    fields.push_back({phase, "absorbed", [=](World& w) { lane(fast(w).batches.impacts[0].absorbed) += 1; }});
   }
   return fields;
 }

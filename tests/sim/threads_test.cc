@@ -173,6 +173,30 @@ TEST(Threads, HardIslandsAndSleepersAreTheSameToo) {
   }
 }
 
+// Columns that land bounce with what lies on them, and so does what falls on a stack.
+TEST(Threads, WhatBouncesWithOthersIsTheSameToo) {
+  SceneDef scene = test::on_ground();
+  scene.world.method = Method::kLayered;
+  scene.world.ground_material.restitution = 0.7;
+  for (std::uint32_t k = 0; k < 27; ++k) {
+    const std::uint32_t column = k % 9, level = k / 9;
+    const bool falls = column < 5 || level == 2;
+    const double above = falls ? 0.8 : 0.0;
+    BoxDef box = test::cube(k + 1, {1.5 * column, 0.01 * k, 0.5 + level + above});
+    if (falls) box.velocity = Vec3(0, 0, -5);
+    box.material = scene.world.ground_material;
+    scene.boxes.push_back(box);
+  }
+  for (const std::uint32_t substeps : {1U, 4U}) {
+    scene.world.substeps = substeps;
+    const std::vector<std::uint64_t> one = hashes_of(scene, nullptr, 40);
+    for (const unsigned count : {2U, 3U, 7U}) {
+      WorkerThreads workers(count, Split::kEverything);
+      EXPECT_EQ(one, hashes_of(scene, &workers, 40)) << count << " threads";
+    }
+  }
+}
+
 TEST(Threads, MethodThesisIsTheSameToo) {
   SceneDef heap = test::pile(3);
   heap.world.method = Method::kThesis;

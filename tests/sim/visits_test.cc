@@ -72,8 +72,17 @@ class FallingBoxes {
     entries_.push_back(2 * i + 1);
   }
   ContactWork work() {
-    return {&batch_,         &sides_,         1,         &point_, bodies_.data(),
-            outcomes_[0].of, entries_.data(), 1.0 / 100, 1.0 / 3, {moved_.data(), now_, first_, sweep_, kStill},
+    return {&batch_,
+            &sides_,
+            1,
+            &point_,
+            nullptr,
+            bodies_.data(),
+            outcomes_[0].of,
+            entries_.data(),
+            1.0 / 100,
+            1.0 / 3,
+            {moved_.data(), now_, first_, sweep_, false, kStill},
             leaves_old_};
   }
 

@@ -22,7 +22,7 @@ void write_case(const Workshop& shop, const std::string& name, const std::string
 // A scene that gains energy.
 TEST(LawRules, AGoldenThatWasBlessedExcusesNoBrokenLaw) {
   const Workshop shop;
-  const std::string scene = std::string(TUMBLE_SOURCE_DIR) + "/tests/data/hunt_known/energy_1_10994.toml";
+  const std::string scene = std::string(TUMBLE_SOURCE_DIR) + "/tests/data/hunt_known/energy_1_16410.toml";
   ASSERT_EQ(
       shop.run_after("mkdir -p golden/cases/ghost; cp '" + scene + "' golden/cases/ghost/scene.toml; ", {"--version"})
           .exit,

@@ -59,6 +59,7 @@ struct alignas(64) BatchSides {
   std::uint32_t visited[kLanes] = {};            ///< number of the visit that solved each manifold last (Visit)
   /// Sweeps that solve each manifold, at most 127: in push_contacts and relax_contacts, and in part_overlaps.
   std::uint8_t sweeps[kLanes] = {1, 1, 1, 1, 1, 1, 1, 1}, parting[kLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
+  std::uint8_t turns[kLanes] = {1, 1, 1, 1, 1, 1, 1, 1};  ///< likewise, in bounces
 };
 /// A value of `visited` that is never due, of lanes that are not used; larger than the number of any visit.
 inline constexpr std::uint32_t kNeverDue = 0x7fffffff;
@@ -69,12 +70,13 @@ struct ContactBatch {
   std::uint32_t used = 0;              ///< lanes from the left
   std::uint32_t members = 0;           ///< first of its manifolds in ContactBatches::order
   std::uint32_t first = 0, count = 0;  ///< its points
-  bool bounces = false;                ///< one of its points met fast enough to bounce
+  std::uint8_t met = 0, bounces = 0;   ///< a bit a lane: a point met fast enough to bounce; and restitution makes it
   std::uint8_t hard = 0;               ///< a bit a lane: the manifold belongs to a hard island (assign_levels)
   std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
   std::uint8_t loose = 0;              ///< a bit a lane: the manifold touches nothing at rest, directly or by others
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   bool levers_turned = false;          ///< by the last `prepare` or `move_on`, in a lane
+  std::uint32_t impact = 0;            ///< where `bounces`, its number among the ImpactBatches
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
   Lanes point_count;                   ///< of each manifold
   Lanes n[3], t1[3], t2[3];
@@ -86,7 +88,6 @@ struct ContactBatch {
   Lanes slop;  ///< m of overlap that is not removed
   Lanes force1, force2, twist;
   Lanes sliding;    ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
-  Lanes absorbed;   ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
   Lanes passes_on;  ///< N·s: the normal impulse that a substep begins with; beyond it a hit was stopped (kHitStops)
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
@@ -96,6 +97,17 @@ struct ContactBatch {
   Lanes friction_inverse[6];         ///< of the 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33
   Lanes response[6];                 ///< of (u, W1, W2) to the sums (S, Sq, Sp)
   Lanes relaxation;
+};
+
+/// The work of a batch's normal impulses, where the batch bounces. The energy that they take from the bodies is exactly
+/// the sum over points of −J ½ (v before + v after), whatever else has pushed meanwhile: v of the point along the
+/// normal, J all that it got. A manifold's points need the sums of contact_lanes.h alone.
+struct ImpactBatch {
+  std::uint32_t batch = 0;   ///< its number
+  Lanes motion[3];           ///< u, W1 and W2 when the last sweeps began
+  Lanes sums[3];             ///< S, Sq and Sp of the impulses then
+  Lanes slip[3], forces[3];  ///< how the centre of friction slipped then, along t1, t2 and about n; friction then
+  Lanes absorbed;            ///< J taken in this step until then; a bounce gives no more back than e² of it
 };
 
 }  // namespace tumble::sim

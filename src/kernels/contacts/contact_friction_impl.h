@@ -252,18 +252,23 @@ Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure,
   return any(asked) ? cut_to_cones(m, pressure, inverse, stop, asked) : stop;
 }
 
+// How the centre of friction slips.
+template <class V, template <class> class B>
+Friction<V> slip_of(const Manifolds<V, B>& m, const Motion<V>& motion) {
+  const V offset = m.get(m.batch->offset), p = m.get(m.batch->centre_p), q = m.get(m.batch->centre_q);
+  const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
+  return {dot(motion.u, m.t1) + (w2 * offset - wn * q), dot(motion.u, m.t2) + (wn * p - w1 * offset), wn};
+}
+
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
 // Lanes outside `rubs` keep theirs.
 template <class V, template <class> class B, class Mask>
 Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, const Pressure<V>& pressure, Mask rubs) {
   ContactBatch& batch = *m.batch;
-  const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
-  const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
-  const V u1 = dot(motion.u, m.t1) + (w2 * offset - wn * q);
-  const V u2 = dot(motion.u, m.t2) + (wn * p - w1 * offset);
+  const V p = m.get(batch.centre_p), q = m.get(batch.centre_q);
   FrictionMatrix<V> inverse;
   for (int k = 0; k < 6; ++k) inverse.of[k] = m.get(batch.friction_inverse[k]);
-  const Friction<V> missing = inverse.times({u1, u2, wn});
+  const Friction<V> missing = inverse.times(slip_of(m, motion));
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
   const Friction<V> wanted = {before1 - missing.force1, before2 - missing.force2, twist_before - missing.twist};
   Friction<V> now = within_limits(m, pressure, wanted, inverse);

@@ -8,8 +8,9 @@
 namespace tumble::sim {
 
 /// kHold holds points as they are; kPush gives overlaps a speed that ends them; kPart does only that, without friction,
-/// for bodies at rest (part_overlaps); kRestitution makes points bounce.
-enum class Sweep : std::uint8_t { kPush, kHold, kPart, kRestitution };
+/// for bodies at rest (part_overlaps); kStop stops points that met fast and do not bounce; kRestitution makes the
+/// others bounce.
+enum class Sweep : std::uint8_t { kPush, kHold, kPart, kStop, kRestitution };
 
 /// Of an overlap, removed in a substep.
 inline constexpr double kPushPart = 0.05;
@@ -29,6 +30,7 @@ struct Visit {
   std::uint32_t now = 0;           ///< number of this visit; they ascend within a step
   std::uint32_t first = 0;         ///< number with which these sweeps began
   std::uint32_t sweep = 0;         ///< sweeps before this one; BatchSides has how many a manifold gets
+  bool bounces = false;            ///< the sweeps are turns of a bounce
   double still = 0;                ///< m/s or rad/s; a body moves where a number of its motion changes by more
 };
 
@@ -40,6 +42,7 @@ struct ContactWork {
   BatchSides* sides = nullptr;  ///< of each batch
   std::size_t count = 0;        ///< batches
   PointBatch* points = nullptr;
+  ImpactBatch* impacts = nullptr;
   double* bodies = nullptr;    ///< rows of SolverBody, kSolverBodyDoubles each
   double* outcomes = nullptr;  ///< rows of kOutcomeDoubles; lane l of batch k: 2 (k kLanes + l) for a, next for b
   const std::uint32_t* entries = nullptr;  ///< rows of outcomes, body by body
@@ -59,7 +62,8 @@ struct ContactKernels {
   /// Turns the levers.
   void (*prepare)(const ContactWork& work);
   /// Improves the impulses of the manifolds that are due, given the velocities of `bodies`; writes the changes to
-  /// `outcomes`. kNone: `outcomes` is old. In kRestitution manifolds of batches that do not bounce are not due.
+  /// `outcomes`. kNone: `outcomes` is old. In kStop only those that met
+  /// fast and do not bounce are due; in kRestitution manifolds that do not bounce hold.
   Due (*solve)(const ContactWork& work, Sweep sweep);
   /// Writes the effect of the accumulated impulses to `outcomes`.
   void (*warm_start)(const ContactWork& work);
@@ -77,6 +81,14 @@ struct ContactKernels {
   /// in this step yet, and starts from none. Outside hard batches computes the speed of each point that they want, in
   /// the place of its load.
   void (*begin_parting)(const ContactWork& work);
+  /// Before sweeps, for the impacts [begin, end) of all batches: notes the motion, and the impulses that the bodies
+  /// have got already: all, or none of those that a substep begins with.
+  void (*begin_impacts)(const ContactWork& work, std::size_t begin, std::size_t end, bool has_impulses);
+  /// After sweeps: adds the work since then to what the impulses have taken.
+  void (*end_impacts)(const ContactWork& work, std::size_t begin, std::size_t end);
+  /// The same for bodies that have stayed where they met and have got all impulses since: from the speeds of the
+  /// impact.
+  void (*end_whole_impacts)(const ContactWork& work, std::size_t begin, std::size_t end);
 };
 
 }  // namespace tumble::sim

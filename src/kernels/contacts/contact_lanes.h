@@ -200,12 +200,29 @@ PointSums<V> add_up(const Manifolds<V, B>& m, const V* impulses) {
   return sums;
 }
 
-// The sums of the accumulated impulses.
+// The sums of the accumulated impulses, of any size.
 template <class V, template <class> class B>
 PointSums<V> add_up_impulses(const Manifolds<V, B>& m) {
   V impulses[kPointsMax];
   for (unsigned k = 0; k < m.batch->count; ++k) impulses[k] = m.get(m.points[k].impulse);
   return add_up(m, impulses);
+}
+
+// The sums of the accumulated impulses.
+template <class V, template <class> class B>
+PointSums<V> sums_of_impulses(const Manifolds<V, B>& m) {
+  const V magic = m.get(m.batch->impulse_magic);
+  PointSums<V> sums = {};
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    const PointBatch& point = m.points[k];
+    const V impulse = m.get(point.impulse);
+    sums.s += to_grid(magic, impulse);
+    sums.sq += to_grid(magic, impulse * m.get(point.q));
+    sums.sp += to_grid(magic, impulse * m.get(point.p));
+  }
+  if (any_above(sums.s, m.get(m.batch->impulse_max))) [[unlikely]]
+    return add_up_impulses(m);
+  return sums;
 }
 
 }  // namespace

@@ -281,7 +281,6 @@ void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
   prepare_responses(m);
   forget_impacts(m);
   foresee_impact(m);
-  m.set(batch.absorbed, V{});
 }
 
 }  // namespace

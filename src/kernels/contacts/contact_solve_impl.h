@@ -3,6 +3,7 @@
 // Sweeps and the motion of separations, for any number of lanes. lane_vector.h says who may include this.
 
 #include "src/kernels/contacts/contact_friction_impl.h"
+#include "src/kernels/contacts/contact_impacts_impl.h"
 #include "src/kernels/contacts/contact_lanes.h"
 #include "src/kernels/contacts/contact_levers_impl.h"
 
@@ -69,21 +70,6 @@ V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
   return wanted;
 }
 
-// The part of a bounce that gives back e² of the absorbed energy, where all of it would give back more. Newton's law of
-// restitution alone adds energy where friction, or the step, turns the body during the impact (Stronge 1990). initial:
-// J, the work of the bounce at the velocities before it; gained: J, what its own change of velocity adds. With masses
-// split among contacts neither work is right, and without friction the law is left to itself there.
-template <class V, template <class> class B>
-V part_of_bounce(const Manifolds<V, B>& m, V initial, V gained) {
-  const V e = m.get(m.batch->restitution), limit = e * e * larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
-  const V friction = m.get(m.batch->friction), split = larger(m.get(m.batch->split_a), m.get(m.batch->split_b));
-  const auto judged = (friction > 0.0) | (split <= 1.0);
-  const auto too_much = judged & (initial + gained > limit);
-  const V root = square_root(larger(V{}, initial * initial + 4.0 * gained * limit));
-  const V part = smaller(one, larger(V{}, (root - initial) / (2.0 * gained)));
-  return too_much ? part : one;
-}
-
 template <Sweep kSweep, class V, template <class> class B>
 Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
   V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
@@ -99,7 +85,6 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
   } else {
     for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(work, m, m.points[k]);
   }
-  const V u_before = u, w1_before = w1, w2_before = w2;
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -127,20 +112,14 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
     w1 += r[1] * sums.s + (r[3] * sums.sq + r[4] * sums.sp);
     w2 += -r[2] * sums.s + (-r[4] * sums.sq + r[5] * sums.sp);
   }
-  if constexpr (kSweep == Sweep::kPart) return normal_wrench(m, total_s, total_sq, total_sp);
-  const V initial = u_before * total_s + (w1_before * total_sq - w2_before * total_sp);
-  const V gained = 0.5 * ((u - u_before) * total_s + ((w1 - w1_before) * total_sq - (w2 - w2_before) * total_sp));
   if constexpr (kSweep == Sweep::kRestitution) {
-    const V part = part_of_bounce(m, initial, gained), e = m.get(m.batch->restitution);
-    const V given = part * (initial + part * gained);
-    const auto none = (given == 0.0) | (e == 0.0);
-    m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (none ? zero : given / (e * e)));
+    const PointSums<V> given = {total_s, total_sq, total_sp};
+    const V part = part_of_bounce(work, m, motion, {u, w1, w2}, before, given);
     for (unsigned k = 0; k < m.batch->count; ++k) {
       m.set(m.points[k].impulse, before[k] + part * (m.get(m.points[k].impulse) - before[k]));
     }
     return normal_wrench(m, part * total_s, part * total_sq, part * total_sp);
   }
-  m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (initial + gained));
   return normal_wrench(m, total_s, total_sq, total_sp);
 }
 

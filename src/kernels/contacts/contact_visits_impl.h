@@ -85,15 +85,32 @@ class KeptLanes {
   }
 
  private:
-  static constexpr unsigned kFields = 5;
+  static constexpr unsigned kFields = 4;
   static constexpr Lanes ContactBatch::*kField[kFields] = {&ContactBatch::force1, &ContactBatch::force2,
-                                                           &ContactBatch::twist, &ContactBatch::sliding,
-                                                           &ContactBatch::absorbed};
+                                                           &ContactBatch::twist, &ContactBatch::sliding};
   using Eight = double[kLanes];  // unlike Lanes, costs nothing where it is not used
 
   static void copy(Eight& to, const Lanes& from) { __builtin_memcpy(to, from.of, sizeof from.of); }
 
   Eight fields_[kFields], impulse_[kPointsMax], peak_[kPointsMax];
+};
+
+// The outcomes of a batch. rows: of the batch.
+class KeptOutcomes {
+ public:
+  explicit KeptOutcomes(double* rows) : rows_(rows) { __builtin_memcpy(kept_, rows, sizeof kept_); }
+
+  void put_back(unsigned lanes) const {
+    constexpr std::size_t kDoubles = 2 * kOutcomeDoubles;  // of both bodies
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+      if ((lanes >> lane & 1U) == 0) continue;
+      __builtin_memcpy(rows_ + lane * kDoubles, kept_ + lane * kDoubles, kDoubles * sizeof(double));
+    }
+  }
+
+ private:
+  double* rows_;
+  double kept_[2 * kOutcomeDoubles * kLanes];
 };
 
 // Zeros the outcomes of the lanes outside `due`. rows: of the batch.

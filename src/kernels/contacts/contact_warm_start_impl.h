@@ -7,22 +7,6 @@
 namespace tumble::sim {
 namespace {
 
-template <class V, template <class> class B>
-PointSums<V> sums_of_impulses(const Manifolds<V, B>& m) {
-  const V magic = m.get(m.batch->impulse_magic);
-  PointSums<V> sums = {};
-  for (unsigned k = 0; k < m.batch->count; ++k) {
-    const PointBatch& point = m.points[k];
-    const V impulse = m.get(point.impulse);
-    sums.s += to_grid(magic, impulse);
-    sums.sq += to_grid(magic, impulse * m.get(point.q));
-    sums.sp += to_grid(magic, impulse * m.get(point.p));
-  }
-  if (any_above(sums.s, m.get(m.batch->impulse_max))) [[unlikely]]
-    return add_up_impulses(m);
-  return sums;
-}
-
 // An impulse that stopped a hit has done its work: the next substep would throw the bodies apart with it. Of what is
 // more than the contact bears, a substep begins with some times what stops the bodies where they are pressed. sums: of
 // all points.
@@ -45,18 +29,6 @@ void pass_on_less(const Manifolds<V, B>& m, const PointSums<V>& sums) {
   for (Lanes* const friction : frictions) m.set(*friction, part * m.get(*friction));
 }
 
-// Adds the work that the impulses take from the bodies to what a bounce may give back. sums: of all points.
-template <class V, template <class> class B>
-void absorb(const Manifolds<V, B>& m, const PointSums<V>& sums) {
-  const Motion<V> motion = relative_motion(m);
-  V r[6];
-  for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
-  const V u = dot(motion.u, m.n) + 0.5 * (r[0] * sums.s + (r[1] * sums.sq + r[2] * sums.sp));
-  const V w1 = dot(motion.w, m.t1) + 0.5 * (r[1] * sums.s + (r[3] * sums.sq + r[4] * sums.sp));
-  const V w2 = dot(motion.w, m.t2) + 0.5 * (-r[2] * sums.s + (-r[4] * sums.sq + r[5] * sums.sp));
-  m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (u * sums.s + (w1 * sums.sq - w2 * sums.sp)));
-}
-
 template <class V, template <class> class B>
 void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V, B> m(work, batch, at);
@@ -65,7 +37,6 @@ void warm_start_from(const ContactWork& work, ContactBatch& batch, unsigned at) 
     pass_on_less(m, sums);
     sums = sums_of_impulses(m);
   }
-  if (batch.bounces) absorb(m, sums);
   m.set(batch.sliding, V{});
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
   const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);

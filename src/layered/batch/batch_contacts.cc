@@ -204,6 +204,7 @@ class Filling {
     const BodyIndex mover = mover_of(bodies_, m);
     sides.sweeps[lane] = layers_.of_fast_pairs ? islands_.most_sweeps[islands_.hit[mover]] : islands_.sweeps[mover];
     sides.parting[lane] = static_cast<std::uint8_t>(sides.sweeps[lane] + 1);
+    sides.turns[lane] = islands_.turns[mover];
     if (layers_.of_fast_pairs && islands_.has_bar[islands_.hit[mover]] != 0) {
       batch.hard = batch.turns = static_cast<std::uint8_t>(batch.hard | 1U << lane);
     }

@@ -12,10 +12,8 @@ namespace {
 
 // Adds the velocities if a contact may have bounced. Without one no body moves: another velocity is this phase's doing.
 void add_bounced(const Scratch& scratch, Hasher& hasher) {
-  const auto bounces = [](const ContactBatch& batch) { return batch.bounces; };
   const auto moved = [&](std::uint32_t visit) { return visit > scratch.visits.first; };
-  if (std::ranges::any_of(scratch.contact_batches.batches, bounces) ||
-      std::ranges::any_of(scratch.visits.moved, moved)) {
+  if (!scratch.contact_batches.impacts.empty() || std::ranges::any_of(scratch.visits.moved, moved)) {
     add_solver_velocities(scratch, hasher);
   }
 }
@@ -25,7 +23,7 @@ void add_bounced(const Scratch& scratch, Hasher& hasher) {
 Status bounce_contacts(WorldState& state, Scratch& scratch, double dt_s) {
   Hasher* const hasher = take_hasher(scratch);
   scratch.visits.first = scratch.visits.now;
-  sweep_layers(scratch, Sweep::kRestitution, Direction::kUp, dt_s);
+  bounce_layers(scratch, dt_s);
   if (hasher != nullptr) add_bounced(scratch, *hasher);
   store_contacts(scratch, hasher, length(state.def.gravity) * dt_s / state.def.substeps);
   return {};

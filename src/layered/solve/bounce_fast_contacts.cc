@@ -10,8 +10,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr int kVisits = 64;  // an impulse that falls short loses energy
-
 // Bodies that bounce have waited where they met, though their velocities moved the separations on.
 void put_back(Scratch& scratch) {
   LargeVector<PointBatch>& points = scratch.fast.batches.points;
@@ -27,9 +25,10 @@ void put_back(Scratch& scratch) {
 }  // namespace
 
 Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
+  scratch.visits.bounces = scratch.visits.now;
   if (scratch.fast.none()) return {};
   put_back(scratch);
-  solve_fast_layer(scratch, Sweep::kRestitution, substep_s, kVisits);
+  scratch.fast.takes_along = bounce_fast_layer(scratch, substep_s);
   mark_pressed(scratch);
   store_fast_contacts(scratch);
   const ManifoldList& found = scratch.fast.found;
@@ -40,6 +39,7 @@ Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double subs
 
 void hash_bounce_fast_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   if (scratch.fast.none()) return;
+  if (scratch.fast.takes_along) return hash_solution(scratch, hasher);
   {
     GatheredNumbers numbers(&hasher);
     for (const FastBody& of : scratch.fast.bodies) {

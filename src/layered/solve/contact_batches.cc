@@ -18,10 +18,11 @@ static_assert(offsetof(SolverBody, lent) == 13 * sizeof(double));
 static_assert(VelocityGrid::kLimit == kMotionSumMax);
 static_assert(sizeof(Outcome) == kOutcomeDoubles * sizeof(double));
 
-bool bounces(const ContactWork& work, const ContactBatch& batch) {
+std::uint8_t with_lane(std::uint8_t lanes, unsigned lane) { return static_cast<std::uint8_t>(lanes | 1U << lane); }
+
+bool met_fast(const ContactWork& work, const ContactBatch& batch, unsigned lane) {
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-    const Lanes& approach = work.points[k].approach;
-    if (std::any_of(approach.of, approach.of + kLanes, [&](double v) { return v <= -batch.bounce_min; })) return true;
+    if (work.points[k].approach.of[lane] <= -batch.bounce_min) return true;
   }
   return false;
 }
@@ -57,6 +58,7 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
           all.sides.data(),
           all.batches.size(),
           all.points.data(),
+          all.impacts.data(),
           reinterpret_cast<double*>(scratch.solver_bodies.data()),
           reinterpret_cast<double*>(scratch.outcomes.data()),
           all.entries.data(),
@@ -70,7 +72,23 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
 }  // namespace
 
 void mark_bounces(const ContactWork& work) {
-  for (std::size_t k = 0; k < work.count; ++k) work.batches[k].bounces = bounces(work, work.batches[k]);
+  for (ContactBatch& batch : std::span(work.batches, work.count)) {
+    batch.met = batch.bounces = 0;
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      if (!met_fast(work, batch, lane)) continue;
+      batch.met = with_lane(batch.met, lane);
+      if (batch.restitution.of[lane] > 0) batch.bounces = with_lane(batch.bounces, lane);
+    }
+  }
+}
+
+void list_impacts(ContactBatches& all) {
+  all.impacts.clear();
+  for (std::uint32_t k = 0; k < all.batches.size(); ++k) {
+    if (all.batches[k].met == 0) continue;
+    all.batches[k].impact = static_cast<std::uint32_t>(all.impacts.size());
+    all.impacts.emplace_back().batch = k;
+  }
 }
 
 void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
@@ -80,7 +98,8 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
   const auto store_one = [&](std::uint32_t manifold, std::uint32_t place) {
     Manifold& m = scratch.manifolds[manifold];
     const ContactBatch& batch = all.batches[place / kLanes];
-    const ContactLane contact{batch, all.points.data() + batch.first, place % kLanes};
+    const bool bounced = all.sides[place / kLanes].visited[place % kLanes] > scratch.visits.bounces;
+    const ContactLane contact{batch, all.points.data() + batch.first, place % kLanes, bounced};
     const std::span<ManifoldPoint> points = points_of(scratch, m);
     const double before = impulse_of(contact, points);
     store_contact(all, place, m, points);

@@ -8,8 +8,11 @@
 
 namespace tumble::sim {
 
-/// Marks the batches in which a point met fast enough to bounce. Reads each point's `approach`.
+/// Marks the manifolds of which a point met fast enough to bounce. Reads each point's `approach`.
 void mark_bounces(const ContactWork& work);
+
+/// Begins anew what the batches that bounce have absorbed (ContactBatches::impacts).
+void list_impacts(ContactBatches& all);
 
 /// Copies impulses, friction and separations from the batches back to manifolds and points, less what stopped bodies
 /// (keep_borne.h); with a hasher, adds them. fall: m/s, what gravity gives in a substep.

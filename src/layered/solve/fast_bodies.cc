@@ -29,7 +29,8 @@ struct Pressing {
 
 // A contact that does not bounce from its push does not bounce in this substep, even if the bodies' turn brings points
 // closer: it is found again in the next one.
-void slow_approaches(ContactBatches& all, const ContactBatch& batch, unsigned lane) {
+void slow_approaches(ContactBatches& all, ContactBatch& batch, unsigned lane) {
+  batch.bounces = static_cast<std::uint8_t>(batch.bounces & ~(1U << lane));
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
     double& approach = all.points[k].approach.of[lane];
     approach = std::max(approach, -0.5 * (kRestingSpeed + kFastBounceMin));
@@ -42,7 +43,7 @@ void for_pressing(Scratch& scratch, Visit visit) {
   ContactBatches& all = scratch.fast.batches;
   for_fast_batches(scratch, 0, [&](const ContactWork&, std::size_t begin, std::size_t end) {
     for (std::size_t at = begin; at < end; ++at) {
-      const ContactBatch& batch = all.batches[at];
+      ContactBatch& batch = all.batches[at];
       for (unsigned lane = 0; lane < batch.used; ++lane) {
         bool presses = false, fast = false;
         for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
@@ -122,6 +123,7 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch) {
   FastContacts& fast = scratch.fast;
   fast.batches.batches.clear();  // those of the last step
   fast.batches.points.clear();
+  fast.batches.impacts.clear();
   fast.batches.order.clear();
   fast.bodies.clear();  // their rows may be gone
   fast.remembers = false;

@@ -259,6 +259,7 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
     mark_bounces(part);
     separate_bounces(fast.batches, begin, end, substep_s);
   });
+  list_impacts(fast.batches);
   return {};
 }
 

@@ -12,7 +12,7 @@ namespace {
 // passes a hit on has not met anything: there an impulse counts as borne up to twice what the step began with or what
 // the contact bears, and a new contact may bear some weights of the lighter body.
 // Of an impulse beyond that, so much stays: the braking of a heap or of a heavy body goes on for several steps, and
-// bodies would sink into one another if each step began it anew.
+// bodies would sink into one another if each step began it anew. A bounce has ended it.
 constexpr double kKept = 0.5;
 
 // The sum of value(point), no value negative.
@@ -61,7 +61,8 @@ void keep_borne(const ContactLane& contact, double before, double weight, Manifo
   }
   double kept = impulse_of(contact, points);
   const double load = exact_sum(contact, points, [](const ManifoldPoint& point) { return point.load; });
-  const double borne = std::max({kBornePart * before, kBornePart * load, kBorneWeights * weight, kKept * kept});
+  const double braking = contact.bounced ? 0 : kKept * kept;
+  const double borne = std::max({kBornePart * before, kBornePart * load, kBorneWeights * weight, braking});
   if (kept > borne) {
     scale(points, borne / kept);
     kept = borne;

@@ -12,6 +12,7 @@ struct ContactLane {
   const ContactBatch& batch;
   const PointBatch* points;  ///< of the batch
   unsigned lane;
+  bool bounced;  ///< or was taken along by what bounces
 };
 
 /// N·s, the sum of the impulses of the contact's points; exact, whatever their order.

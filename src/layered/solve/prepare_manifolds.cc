@@ -93,6 +93,7 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   for_hashed_batches(hasher, scratch, prepare, [&](std::size_t begin, std::size_t end) {
     add_batches(scratch.contact_batches, begin, end, *hasher);
   });
+  list_impacts(scratch.contact_batches);
   return {};
 }
 

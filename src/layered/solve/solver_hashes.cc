@@ -12,7 +12,7 @@ namespace {
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(offsetof(SolverBody, spin) == 3 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
-static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 30 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 29 * sizeof(Lanes));
 static_assert(offsetof(PointBatch, q) == sizeof(Lanes));
 
 // Bytes [kBegin, kEnd) of a row.
@@ -61,6 +61,10 @@ void add_batch(const ContactBatches& all, const ContactBatch& batch, Sink& sink)
   if (batch.levers_turned) sink.add(part_of_row<offsetof(ContactBatch, d), offsetof(ContactBatch, friction)>(batch));
 }
 
+void add_absorbed(const ContactBatches& all, Hasher& hasher) {
+  for (const ImpactBatch& impact : all.impacts) hasher.add(std::span<const double>(impact.absorbed.of));
+}
+
 }  // namespace
 
 void add_solver_bodies(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers) {
@@ -91,6 +95,7 @@ void add_fast_batches(const Scratch& scratch, Hasher& hasher) {
   const ContactBatches& all = scratch.fast.batches;
   hasher.add(std::span<const std::uint32_t>(all.order));
   add_batches(all, 0, all.batches.size(), hasher);
+  add_absorbed(all, hasher);
 }
 
 void hash_solution(const Scratch& scratch, Hasher& hasher) {
@@ -98,6 +103,7 @@ void hash_solution(const Scratch& scratch, Hasher& hasher) {
   const ContactBatches& all = scratch.contact_batches;
   add_parts<offsetof(ContactBatch, force1), offsetof(ContactBatch, split_a)>(all.batches, hasher);
   add_parts<offsetof(PointBatch, impulse), offsetof(PointBatch, mass)>(all.points, hasher);
+  add_absorbed(all, hasher);
   if (!scratch.fast.none()) add_fast_batches(scratch, hasher);
 }
 

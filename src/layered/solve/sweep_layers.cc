@@ -6,28 +6,21 @@
 
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/islands/sweep_counts.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/sweeper.h"
 
 namespace tumble::sim {
 namespace {
 
-constexpr int kBounceSweepsMax = 8;
-constexpr int kFastVisits = 4;  // of the contacts of fast pairs after a sweep; impacts have one substep to be solved
+constexpr int kStopSweepsMax = 8;  // as many as a push has at most, but for tall towers
+constexpr int kFastVisits = 4;     // of the contacts of fast pairs after a sweep; impacts have one substep to be solved
 
 Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
 
-// A bounce takes as many sweeps as its push, but for tall towers; and one in hard islands, where many would throw out
-// what is light between heavy bodies.
-int sweeps_of(const SweepGroup& group, Sweep sweep) {
-  if (sweep != Sweep::kRestitution) return group.sweeps;
-  return group.hard ? 1 : std::min(kBounceSweepsMax, group.sweeps);
-}
-
-// Calls task(sweeper) for all workers that share the sweeps.
+// Calls task(sweeper) for so many workers that share the sweeps.
 template <class Task>
-void sweep_together(Scratch& scratch, Task task) {
-  const unsigned parts = scratch.shares.parts;
+void sweep_by(Scratch& scratch, unsigned parts, Task task) {
   const std::uint32_t now = scratch.visits.now;
   std::vector<std::vector<VisitScratch::Layer>>& layers = scratch.visits.layers;
   if (layers.size() < parts) layers.resize(parts);
@@ -45,6 +38,93 @@ void sweep_together(Scratch& scratch, Task task) {
   });
 }
 
+template <class Task>
+void sweep_together(Scratch& scratch, Task task) {
+  sweep_by(scratch, scratch.shares.parts, task);
+}
+
+// Takes the bodies of contacts that bounce for moved by the last visit, and no others: what is solved next is due to
+// their motion alone, and not to what happens elsewhere. False: nothing bounces.
+bool stir_bouncing(Scratch& scratch, const ContactBatches& all, std::span<const Manifold> manifolds) {
+  std::vector<std::uint32_t>& moved = scratch.visits.moved;
+  if (all.impacts.empty()) return false;
+  std::ranges::fill(moved, 0U);
+  bool any = false;
+  const auto stir = [&](BodyIndex i) {
+    if (i == kGround || scratch.solver_bodies[i].inverse_mass == 0) return;
+    moved[i] = scratch.visits.now;
+    any = true;
+  };
+  for (const ImpactBatch& impact : all.impacts) {
+    const ContactBatch& batch = all.batches[impact.batch];
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      if ((batch.bounces >> lane & 1U) == 0) continue;
+      const Manifold& m = manifolds[all.order[batch.members + lane]];
+      stir(m.a);
+      stir(m.b);
+    }
+  }
+  return any;
+}
+
+bool presses(const ContactBatches& all, const ContactBatch& batch, unsigned lane) {
+  const auto points = std::span(all.points).subspan(batch.first, batch.count);
+  return std::ranges::any_of(points, [&](const PointBatch& point) { return point.impulse.of[lane] > 0; });
+}
+
+// Leaves out the contacts of fast pairs that restitution will make bounce and that press nothing yet: to hold them
+// would stop them without a bounce. They are found again in the next substep.
+void leave_out_later(ContactBatches& fast) {
+  for (std::size_t k = 0; k < fast.batches.size(); ++k) {
+    const ContactBatch& batch = fast.batches[k];
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      const bool later = (batch.bounces >> lane & 1U) == 0 && batch.restitution.of[lane] > 0;
+      if (later && !presses(fast, batch, lane)) fast.sides[k].visited[lane] = kNeverDue;
+    }
+  }
+}
+
+// The impacts of layers and of fast pairs, as one.
+class Impacts {
+ public:
+  Impacts(Scratch& scratch, double substep_s)
+      : layers_(all_contacts(scratch, substep_s)),
+        fast_(fast_contacts(scratch, substep_s)),
+        of_layers_(scratch.contact_batches.impacts.size()),
+        of_fast_(scratch.fast.none() ? 0 : scratch.fast.batches.impacts.size()) {}
+
+  void begin_layers(Sweeper& sweeper, bool has_impulses = true) const {
+    sweeper.begin_impacts(layers_, of_layers_, has_impulses);
+  }
+  void begin_fast(Sweeper& sweeper, bool has_impulses = true) const {
+    sweeper.begin_impacts(fast_, of_fast_, has_impulses);
+  }
+  void end_layers(Sweeper& sweeper) const { sweeper.end_impacts(layers_, of_layers_); }
+  void end_fast(Sweeper& sweeper) const { sweeper.end_whole_impacts(fast_, of_fast_); }
+
+ private:
+  ContactWork layers_, fast_;
+  std::size_t of_layers_, of_fast_;
+};
+
+// Points without restitution that met fast are solved to the end, as far as sweeps go.
+void stop_layers(Scratch& scratch, const ContactWork& all, const Impacts& impacts) {
+  sweep_together(scratch, [&](Sweeper& sweeper) {
+    impacts.begin_layers(sweeper);
+    sweeper.begin();
+    bool moved = true;
+    for (int k = 0; moved && k < kStopSweepsMax; ++k) {
+      moved = false;
+      sweeper.begin_sweep(k);
+      for (const SweepGroup& group : scratch.sweep_groups) {
+        if (k >= (group.hard ? 1 : group.sweeps)) continue;
+        moved |= sweeper.sweep_once(all, group, Sweep::kStop, k % 2 == 0 ? Direction::kUp : Direction::kDown);
+      }
+      moved = sweeper.meet(moved);
+    }
+  });
+}
+
 }  // namespace
 
 void warm_start_layers(Scratch& scratch, double substep_s) {
@@ -53,7 +133,10 @@ void warm_start_layers(Scratch& scratch, double substep_s) {
     return Due::kAll;
   };
   const ContactWork all = all_contacts(scratch, substep_s);
+  const Impacts impacts(scratch, substep_s);
   sweep_together(scratch, [&](Sweeper& sweeper) {
+    impacts.begin_layers(sweeper, false);
+    impacts.begin_fast(sweeper, false);
     for (std::uint32_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
       sweeper.solve_layer(all, layer, Due::kAll, warm_start);
     }
@@ -64,23 +147,25 @@ void warm_start_layers(Scratch& scratch, double substep_s) {
 
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
   const ContactWork all = all_contacts(scratch, substep_s);
-  const Sweep layered = sweep == Sweep::kPush ? Sweep::kHold : sweep;  // part_overlaps has pushed these
-  const int fast_visits = sweep == Sweep::kRestitution || scratch.fast.none() ? 0 : kFastVisits;
+  const Impacts impacts(scratch, substep_s);
+  const int fast_visits = scratch.fast.none() ? 0 : kFastVisits;
   int most = 0;
-  for (const SweepGroup& group : scratch.sweep_groups) most = std::max(most, sweeps_of(group, sweep));
+  for (const SweepGroup& group : scratch.sweep_groups) most = std::max(most, group.sweeps);
   sweep_together(scratch, [&](Sweeper& sweeper) {
+    if (sweep == Sweep::kHold) impacts.begin_layers(sweeper);  // bodies have turned since the push
     sweeper.begin();
     bool moved = true;
     for (int k = 0; moved && k < most; ++k) {
       moved = false;
       sweeper.begin_sweep(k);
       for (const SweepGroup& group : scratch.sweep_groups) {
-        if (k >= sweeps_of(group, sweep)) continue;
-        moved |= sweeper.sweep_once(all, group, layered, k % 2 == 0 ? first : opposite(first));
+        if (k >= group.sweeps) continue;
+        moved |= sweeper.sweep_once(all, group, Sweep::kHold, k % 2 == 0 ? first : opposite(first));
       }
       moved = sweeper.meet(moved);
       if (fast_visits > 0) moved |= sweeper.visit_fast_layer(sweep, substep_s, fast_visits);
     }
+    impacts.end_layers(sweeper);
   });
 }
 
@@ -109,17 +194,68 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
   });
 }
 
-void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visits) {
-  if (scratch.fast.none()) return;
-  const std::uint32_t now = scratch.visits.now;
-  const std::size_t batches = scratch.fast.batches.batches.size();
-  const unsigned parts = scratch.layers != nullptr ? 1 : part_count(scratch.workers, batches, kBatchesAPart);
-  work_together(scratch.workers, parts, [&](const Worker& worker) {
-    Sweeper sweeper(scratch, worker, now, {});
-    sweeper.begin();
-    sweeper.visit_fast_layer(sweep, substep_s, visits);
-    sweeper.finish();
+bool bounce_fast_layer(Scratch& scratch, double substep_s) {
+  const FastContacts& fast = scratch.fast;
+  const bool touches =
+      std::ranges::any_of(fast.bodies, [&](const FastBody& of) { return scratch.in_contact[of.row] == kInContact; });
+  const ContactWork all = all_contacts(scratch, substep_s);
+  const Impacts impacts(scratch, substep_s);
+  const unsigned alone = part_count(scratch.workers, fast.batches.batches.size(), kBatchesAPart);
+  const unsigned parts = touches || scratch.layers != nullptr ? scratch.shares.parts : alone;
+  const auto take_turns = [&](Sweeper& sweeper, Sweep sweep) {
+    bool moved = true;
+    for (int turn = 0; moved && turn < kBounceTurnsMax; ++turn) {
+      sweeper.begin_turn(turn);
+      moved = sweeper.visit_fast_layer(sweep, substep_s, kFastVisits);
+      if (!touches) continue;
+      bool any = false;
+      for (const SweepGroup& group : scratch.sweep_groups) {
+        any |= sweeper.sweep_once(all, group, Sweep::kHold, turn % 2 == 0 ? Direction::kUp : Direction::kDown);
+      }
+      moved |= sweeper.meet(any);
+    }
+  };
+  if (!stir_bouncing(scratch, fast.batches, fast.found.manifolds)) return false;
+  leave_out_later(scratch.fast.batches);
+  sweep_by(scratch, parts, [&](Sweeper& sweeper) {
+    if (touches) impacts.begin_layers(sweeper);
+    take_turns(sweeper, Sweep::kHold);  // the push has to be over
+    impacts.end_fast(sweeper);
+    if (touches) impacts.end_layers(sweeper);
   });
+  stir_bouncing(scratch, fast.batches, fast.found.manifolds);
+  sweep_by(scratch, parts, [&](Sweeper& sweeper) {
+    impacts.begin_fast(sweeper);
+    impacts.begin_layers(sweeper);
+    take_turns(sweeper, Sweep::kRestitution);
+    if (touches) impacts.end_layers(sweeper);
+  });
+  return touches;
+}
+
+void bounce_layers(Scratch& scratch, double substep_s) {
+  const ContactWork all = all_contacts(scratch, substep_s);
+  const Impacts impacts(scratch, substep_s);
+  if (scratch.contact_batches.impacts.empty()) return;
+  stop_layers(scratch, all, impacts);
+  for (const Sweep sweep : {Sweep::kHold, Sweep::kRestitution}) {
+    if (!stir_bouncing(scratch, scratch.contact_batches, scratch.manifolds)) return;
+    sweep_together(scratch, [&](Sweeper& sweeper) {
+      impacts.begin_layers(sweeper);
+      bool moved = true;
+      for (int turn = 0; moved && turn < kBounceTurnsMax; ++turn) {
+        moved = false;
+        sweeper.begin_turn(turn);
+        for (const SweepGroup& group : scratch.sweep_groups) {
+          // In hard islands, many would throw out what is light between heavy bodies.
+          if (turn > 0 && group.hard) continue;
+          moved |= sweeper.sweep_once(all, group, sweep, turn % 2 == 0 ? Direction::kUp : Direction::kDown);
+        }
+        moved = sweeper.meet(moved);
+      }
+      if (sweep == Sweep::kHold) impacts.end_layers(sweeper);
+    });
+  }
 }
 
 }  // namespace tumble::sim

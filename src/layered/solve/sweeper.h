@@ -27,6 +27,11 @@ class Sweeper {
   void go_on() { first_ = scratch_.visits.first; }
   // What is solved next belongs to the sweep of this number, from 0 on.
   void begin_sweep(int number) { sweep_ = static_cast<std::uint32_t>(number); }
+  // The same of a bounce's turns.
+  void begin_turn(int number) {
+    begin_sweep(number);
+    bounces_ = true;
+  }
   // Notes the number of the last visit.
   void finish() const {
     if (worker_.first()) scratch_.visits.now = now_;
@@ -87,6 +92,22 @@ class Sweeper {
                                                  bodies.end - bodies.begin, Due::kAll));
   }
 
+  // Before sweeps: notes what the `impacts` of `all` have got. has_impulses: what a substep begins with is among it.
+  void begin_impacts(const ContactWork& all, std::size_t impacts, bool has_impulses) {
+    const Worker::Share share = worker_.share(impacts);
+    contacts_.begin_impacts(all, share.begin, share.end, has_impulses);
+    if (worker_.parts > 1 && impacts > 0) worker_.meet();
+  }
+  void end_whole_impacts(const ContactWork& all, std::size_t impacts) {
+    const Worker::Share share = worker_.share(impacts);
+    contacts_.end_whole_impacts(all, share.begin, share.end);
+  }
+  // After sweeps, when all workers have met: adds what they have taken meanwhile.
+  void end_impacts(const ContactWork& all, std::size_t impacts) {
+    const Worker::Share share = worker_.share(impacts);
+    contacts_.end_impacts(all, share.begin, share.end);
+  }
+
   // Whether one of the workers passed true.
   bool meet(bool any) const { return worker_.meet(any); }
 
@@ -118,7 +139,7 @@ class Sweeper {
   }
   // Whether there is anything to solve.
   bool start(ContactWork& work) {
-    work.visit = {scratch_.visits.moved.data(), ++now_, first_, sweep_, scratch_.visits.still};
+    work.visit = {scratch_.visits.moved.data(), ++now_, first_, sweep_, bounces_, scratch_.visits.still};
     return work.count != 0;
   }
 
@@ -183,6 +204,7 @@ class Sweeper {
   Worker worker_;
   std::span<VisitScratch::Layer> layers_;
   std::uint32_t now_, first_ = 0, sweep_ = 0;
+  bool bounces_ = false;
   std::uint32_t all_stirred_ = 0;  // as VisitScratch::Layer::stirred, for all layers
 };
 
