@@ -169,33 +169,33 @@ template <int kWidth>
   }
 }
 
+// Calls handle(V{}, impact, lane) for the impacts [begin, end).
+template <int kWidth, class Handle>
+void for_impacts(const ContactWork& work, std::size_t begin, std::size_t end, Handle handle) {
+  for (std::size_t k = begin; k < end; ++k) {
+    ImpactBatch& impact = work.impacts[k];
+    for_packs_of<kWidth>(work.batches[impact.batch],
+                         [&](auto v, ContactBatch& /*of*/, unsigned at) { handle(v, impact, at); });
+  }
+}
+
 template <int kWidth>
 [[gnu::flatten]] void begin_all_impacts(const ContactWork& work, std::size_t begin, std::size_t end,
                                         bool has_impulses) {
-  for (std::size_t k = begin; k < end; ++k) {
-    ImpactBatch& impact = work.impacts[k];
-    for_packs_of<kWidth>(work.batches[impact.batch], [&](auto v, ContactBatch&, unsigned at) {
-      begin_impact<decltype(v)>(work, impact, at, has_impulses);
-    });
-  }
+  for_impacts<kWidth>(work, begin, end, [&](auto v, ImpactBatch& impact, unsigned at) {
+    begin_impact<decltype(v)>(work, impact, at, has_impulses);
+  });
 }
-
 template <int kWidth>
 [[gnu::flatten]] void end_all_impacts(const ContactWork& work, std::size_t begin, std::size_t end) {
-  for (std::size_t k = begin; k < end; ++k) {
-    ImpactBatch& impact = work.impacts[k];
-    for_packs_of<kWidth>(work.batches[impact.batch],
-                         [&](auto v, ContactBatch&, unsigned at) { end_impact<decltype(v)>(work, impact, at); });
-  }
+  for_impacts<kWidth>(work, begin, end,
+                      [&](auto v, ImpactBatch& impact, unsigned at) { end_impact<decltype(v)>(work, impact, at); });
 }
-
 template <int kWidth>
 [[gnu::flatten]] void end_all_whole_impacts(const ContactWork& work, std::size_t begin, std::size_t end) {
-  for (std::size_t k = begin; k < end; ++k) {
-    ImpactBatch& impact = work.impacts[k];
-    for_packs_of<kWidth>(work.batches[impact.batch],
-                         [&](auto v, ContactBatch&, unsigned at) { end_whole_impact<decltype(v)>(work, impact, at); });
-  }
+  for_impacts<kWidth>(work, begin, end, [&](auto v, ImpactBatch& impact, unsigned at) {
+    end_whole_impact<decltype(v)>(work, impact, at);
+  });
 }
 
 template <int kWidth>

@@ -89,7 +89,7 @@ struct ContactBatches {
   LargeVector<ContactBatch> batches;
   std::vector<BatchSides> sides;  ///< by batch
   LargeVector<PointBatch> points;
-  std::vector<ImpactBatch> impacts;                       ///< of the batches that bounce
+  std::vector<ImpactBatch> impacts;                       ///< of the batches of which a manifold met fast
   std::vector<std::uint32_t> layer_start;                 ///< by layer, in `batches`
   std::vector<std::uint32_t> place;                       ///< by manifold: kLanes times batch plus lane
   std::vector<std::uint32_t> order;                       ///< the manifolds, batch by batch

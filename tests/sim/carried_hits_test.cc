@@ -36,12 +36,6 @@ void add(SceneDef& scene, double z, double velocity, double mass = 1) {
   scene.boxes.push_back(body);
 }
 
-World after(const SceneDef& scene, int steps) {
-  World world = made(scene);
-  for (int k = 0; k < steps; ++k) advance(world);
-  return world;
-}
-
 double speed(const World& world, std::size_t body) { return world.bodies().velocity[body].z(); }
 
 std::string at(int substeps, double restitution, double offset) {
@@ -56,7 +50,7 @@ TEST(CarriedHits, TwoCubesBounceAsOne) {
       for (const double offset : kOffsets) {
         SceneDef scene = floor_of(substeps, e);
         for (const double z : {2.0, 3.0}) add(scene, z + offset, -kFall);
-        const World world = after(scene, 22);
+        const World world = after_steps(scene, 22);
         for (const std::size_t body : {0U, 1U}) {
           EXPECT_NEAR(speed(world, body), e * kFall, 0.002) << at(substeps, e, offset);
         }
@@ -72,7 +66,7 @@ TEST(CarriedHits, WhatLiesOnTopMayBeLightOrHeavy) {
         SceneDef scene = floor_of(substeps, e);
         add(scene, 2.013, -kFall);
         add(scene, 3.013, -kFall, mass);
-        const World world = after(scene, 40);
+        const World world = after_steps(scene, 40);
         const double short_by = mass > 2 ? 0.06 : 0.002;  // the turns end before a heavy body is stopped
         for (const std::size_t body : {0U, 1U}) {
           EXPECT_LE(speed(world, body), 1.0002 * e * kFall) << mass << ' ' << at(substeps, e, 0);
@@ -89,7 +83,7 @@ TEST(CarriedHits, ThreeCubesBounceNearlyAsOne) {
     for (const double e : {0.5, 1.0}) {
       SceneDef scene = floor_of(substeps, e);
       for (const double z : {2.0, 3.0, 4.0}) add(scene, z, -kFall);
-      const World world = after(scene, 22);
+      const World world = after_steps(scene, 22);
       for (const std::size_t body : {0U, 1U, 2U})
         EXPECT_NEAR(speed(world, body), e * kFall, 0.01 * e * kFall) << substeps;
     }
@@ -159,7 +153,7 @@ TEST(CarriedHits, ABounceElsewhereMovesNoBit) {
         scene.boxes.back().position.x() = 40;
         scene.boxes.back().material.restitution = 0.7;
       }
-      return after(scene, 40);
+      return after_steps(scene, 40);
     };
     const World alone = column(false), with = column(true);
     for (std::size_t body = 0; body < 8; ++body) {

@@ -88,7 +88,8 @@ struct RandomContacts {
     batch.used = used;
     batch.first = static_cast<std::uint32_t>(points.size());
     batch.count = 1 + used % 5;
-    batch.met = batch.bounces = static_cast<std::uint8_t>((1U << used) - 1U);
+    batch.met = static_cast<std::uint8_t>((1U << used) - 1U);
+    batch.bounces = static_cast<std::uint8_t>(batch.met & 0xdaU);  // the others are stopped, or hold
     batch.impact = static_cast<std::uint32_t>(impacts.size());
     impacts.emplace_back().batch = static_cast<std::uint32_t>(batches.size() - 1);
     points.resize(points.size() + batch.count, PointBatch{});
@@ -141,7 +142,7 @@ void run_kernels(RandomContacts& contacts, LaneWidth width) {
   contact.begin_impacts(work, 0, contacts.impacts.size(), false);
   contact.warm_start(work);
   apply(work, Due::kAll);
-  for (const Sweep sweep : {Sweep::kPush, Sweep::kHold, Sweep::kPart, Sweep::kRestitution}) {
+  for (const Sweep sweep : {Sweep::kPush, Sweep::kHold, Sweep::kPart, Sweep::kStop, Sweep::kRestitution}) {
     if (sweep == Sweep::kRestitution) contact.begin_impacts(work, 0, contacts.impacts.size(), true);
     for (int k = 0; k < 4; ++k) {
       const ContactWork visit = contacts.next_visit(k == 0);

@@ -147,6 +147,24 @@ TEST(PhaseHashes, CoverWhatIsWrittenOfFastPairs) {
   changer.expect_all_tried();
 }
 
+// A cube that bounces in a fast pair takes along the one that lies on it.
+TEST(PhaseHashes, CoverWhatABounceTakesAlong) {
+  SceneDef scene = test::on_ground();
+  scene.world.method = Method::kLayered;
+  scene.boxes = {test::cube(1, {0, 0, 0.53}), test::cube(2, {0, 0, 1.53})};
+  for (BoxDef& box : scene.boxes) box.velocity = Vec3(0, 0, -5);
+  World world = test::made(scene);
+  const auto above = [](World& w) -> SolverBody& { return w.mutable_scratch().solver_bodies[1]; };
+  Changer changer({
+      {"bounce_fast_contacts", "velocity above", [=](World& w) { above(w).velocity.z() += 1; }},
+      {"bounce_fast_contacts", "spin above", [=](World& w) { above(w).spin.x() += 1; }},
+      {"bounce_fast_contacts", "impulse between", [](World& w) { lane(point(w).impulse) += 1; }},
+      {"bounce_fast_contacts", "friction between", [](World& w) { lane(batch(w).twist) += 1; }},
+  });
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
 // Boxes that overlap at the start are parted; one turns on the way, since the other lies off its middle.
 TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
   SceneDef scene = test::on_ground();

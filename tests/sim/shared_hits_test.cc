@@ -40,12 +40,6 @@ void add(SceneDef& scene, const Vec3& size, const Vec3& position, const Vec3& ve
   scene.boxes.push_back(body);
 }
 
-World after(const SceneDef& scene, int steps) {
-  World world = made(scene);
-  for (int k = 0; k < steps; ++k) advance(world);
-  return world;
-}
-
 std::string at(int substeps, double offset) {
   return std::to_string(substeps) + " substeps, " + std::to_string(offset) + " m";
 }
@@ -56,7 +50,7 @@ TEST(SharedHits, ACrateThatSlidesBouncesOffAWall) {
       SceneDef scene = floor_of(substeps, 0);
       add(scene, {1, 1, 1}, {0, 0, 0.5}, {10, 0, 0});
       add(scene, {1, 1, 1}, {3 + offset, 0, 0.5}, {0, 0, 0}, true);
-      EXPECT_NEAR(after(scene, 30).bodies().velocity[0].x(), -5, 0.001) << at(substeps, offset);
+      EXPECT_NEAR(after_steps(scene, 30).bodies().velocity[0].x(), -5, 0.001) << at(substeps, offset);
     }
   }
 }
@@ -72,7 +66,7 @@ TEST(SharedHits, FrictionOfTheFloorTakesNoPartOfTheBounce) {
       add(scene, {1, 1, 1}, {3 + offset, 0, 0.5}, {0, 0, 0}, true);
       const double hit = std::sqrt(100 - 2 * kFriction * kGravity * (2 + offset));
       const double left = kRestitution * hit - kFriction * kGravity * (1 - (10 - hit) / (kFriction * kGravity));
-      EXPECT_NEAR(after(scene, 60).bodies().velocity[0].x(), -left, 0.06) << at(substeps, offset);
+      EXPECT_NEAR(after_steps(scene, 60).bodies().velocity[0].x(), -left, 0.06) << at(substeps, offset);
     }
   }
 }
@@ -91,7 +85,7 @@ TEST(SharedHits, OnIceBetweenWallsFullRestitutionKeepsTheSpeed) {
     SceneDef scene = floor_of(substeps, 0, 1);
     add(scene, {1, 1, 1}, {0.1, 0, 0.5}, {10, 7, 0});
     add_walls(scene, 9.3);
-    const World world = after(scene, 1200);
+    const World world = after_steps(scene, 1200);
     EXPECT_NEAR(std::abs(world.bodies().velocity[0].x()), 10, 0.001) << substeps;
     EXPECT_NEAR(std::abs(world.bodies().velocity[0].y()), 7, 0.001) << substeps;
   }
@@ -122,7 +116,7 @@ TEST(SharedHits, ACrateThatSlidesIntoACornerComesBack) {
       add(scene, {1, 1, 1}, {0, 0, 0.5}, {5, 5, 0});
       add(scene, {1, 8, 1}, {2 + offset, 0, 0.5}, {0, 0, 0}, true);
       add(scene, {8, 1, 1}, {0, 2 + offset, 0.5}, {0, 0, 0}, true);
-      const World world = after(scene, 40);
+      const World world = after_steps(scene, 40);
       EXPECT_NEAR(world.bodies().velocity[0].x(), -2.5, 0.02) << at(substeps, offset);
       EXPECT_NEAR(world.bodies().velocity[0].y(), -2.5, 0.02) << at(substeps, offset);
     }
@@ -137,7 +131,7 @@ TEST(SharedHits, AWideBoxThatHitsTwoStops) {
       add(scene, {1, 3, 1}, {0, 0, 0.5}, {10, 0, 0});
       add(scene, {1, 1, 1}, {2 + offset, 1, 0.5}, {0, 0, 0});
       add(scene, {1, 1, 1}, {2 + offset, -1, 0.5}, {0, 0, 0});
-      const World world = after(scene, 24);
+      const World world = after_steps(scene, 24);
       EXPECT_NEAR(world.bodies().velocity[0].x(), 0, 0.03) << at(substeps, offset);
       EXPECT_NEAR(world.bodies().velocity[1].x(), 5, 0.03) << at(substeps, offset);
       EXPECT_EQ(world.bodies().velocity[1].x(), world.bodies().velocity[2].x()) << at(substeps, offset);

@@ -220,6 +220,12 @@ sim::StepCounters advance(sim::World& world, sim::Observer* observer) {
   return *counters;
 }
 
+sim::World after_steps(const sim::SceneDef& scene, int steps) {
+  sim::World world = made(scene);
+  for (int k = 0; k < steps; ++k) advance(world);
+  return world;
+}
+
 void give(sim::World& world, const sim::Command& command) {
   if (const Status status = sim::apply(world, command); !status.ok()) throw std::runtime_error(status.error().message);
 }

@@ -78,6 +78,8 @@ inline Status run_phase(Status (*phase)(sim::WorldState&, sim::Scratch&, double)
 /// create_world, step() and apply(); each throws std::runtime_error with the message when there is an error.
 sim::World made(const sim::SceneDef& scene);
 sim::StepCounters advance(sim::World& world, sim::Observer* observer = nullptr);
+/// The world after so many steps.
+sim::World after_steps(const sim::SceneDef& scene, int steps);
 void give(sim::World& world, const sim::Command& command);
 
 /// The phase hashes of so many steps of a world, one after the other; throws likewise.

@@ -76,7 +76,7 @@ struct ContactBatch {
   std::uint8_t loose = 0;              ///< a bit a lane: the manifold touches nothing at rest, directly or by others
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   bool levers_turned = false;          ///< by the last `prepare` or `move_on`, in a lane
-  std::uint32_t impact = 0;            ///< where `bounces`, its number among the ImpactBatches
+  std::uint32_t impact = 0;            ///< where one has met, its number among the ImpactBatches
   double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
   Lanes point_count;                   ///< of each manifold
   Lanes n[3], t1[3], t2[3];
@@ -99,9 +99,9 @@ struct ContactBatch {
   Lanes relaxation;
 };
 
-/// The work of a batch's normal impulses, where the batch bounces. The energy that they take from the bodies is exactly
-/// the sum over points of −J ½ (v before + v after), whatever else has pushed meanwhile: v of the point along the
-/// normal, J all that it got. A manifold's points need the sums of contact_lanes.h alone.
+/// The work of a batch's normal impulses, where a manifold met fast. The energy that they take from the bodies is
+/// exactly the sum over points of −J ½ (v before + v after), whatever else has pushed meanwhile: v of the point along
+/// the normal, J all that it got. A manifold's points need the sums of contact_lanes.h alone.
 struct ImpactBatch {
   std::uint32_t batch = 0;   ///< its number
   Lanes motion[3];           ///< u, W1 and W2 when the last sweeps began

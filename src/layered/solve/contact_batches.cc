@@ -71,7 +71,8 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
 
 }  // namespace
 
-void mark_bounces(const ContactWork& work) {
+bool mark_bounces(const ContactWork& work) {
+  bool any = false;
   for (ContactBatch& batch : std::span(work.batches, work.count)) {
     batch.met = batch.bounces = 0;
     for (unsigned lane = 0; lane < batch.used; ++lane) {
@@ -79,11 +80,14 @@ void mark_bounces(const ContactWork& work) {
       batch.met = with_lane(batch.met, lane);
       if (batch.restitution.of[lane] > 0) batch.bounces = with_lane(batch.bounces, lane);
     }
+    any |= batch.met != 0;
   }
+  return any;
 }
 
-void list_impacts(ContactBatches& all) {
+void list_impacts(ContactBatches& all, bool any) {
   all.impacts.clear();
+  if (!any) return;
   for (std::uint32_t k = 0; k < all.batches.size(); ++k) {
     if (all.batches[k].met == 0) continue;
     all.batches[k].impact = static_cast<std::uint32_t>(all.impacts.size());

@@ -9,10 +9,12 @@
 namespace tumble::sim {
 
 /// Marks the manifolds of which a point met fast enough to bounce. Reads each point's `approach`.
-void mark_bounces(const ContactWork& work);
+/// Returns whether there is one.
+bool mark_bounces(const ContactWork& work);
 
-/// Begins anew what the batches that bounce have absorbed (ContactBatches::impacts).
-void list_impacts(ContactBatches& all);
+/// Begins anew what the batches of which a manifold met fast have absorbed (ContactBatches::impacts). any: whether
+/// there is one.
+void list_impacts(ContactBatches& all, bool any);
 
 /// Copies impulses, friction and separations from the batches back to manifolds and points, less what stopped bodies
 /// (keep_borne.h); with a hasher, adds them. fall: m/s, what gravity gives in a substep.

@@ -254,12 +254,13 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   find_manifolds_of(state, scratch, substep_s);
   leave_unmet(state.bodies, scratch.workers, fast);
   batch_fast_contacts(state, scratch);
+  std::uint8_t any_met = 0;
   for_fast_batches(scratch, substep_s, [&](const ContactWork& part, std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.prepare(part);
-    mark_bounces(part);
+    if (mark_bounces(part)) mark(any_met);
     separate_bounces(fast.batches, begin, end, substep_s);
   });
-  list_impacts(fast.batches);
+  list_impacts(fast.batches, any_met != 0);
   return {};
 }
 

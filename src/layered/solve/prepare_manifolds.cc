@@ -83,17 +83,18 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   if (hasher != nullptr) add_places(scratch, *hasher);
   ContactWork work = all_contacts(scratch, dt_s);
   work.turn_s = 0.5 * state.def.dt / state.def.substeps;  // to the middle of the first substep
+  std::uint8_t any_met = 0;
   const auto prepare = [&](std::size_t begin, std::size_t end) {
     for (; begin < end; begin += kBatchesABlock) {
       const ContactWork block = part_of(work, begin, std::min(begin + kBatchesABlock, end));
       kernels(scratch.lanes).contacts.prepare(block);
-      mark_bounces(block);  // while the block is in the nearest cache
+      if (mark_bounces(block)) mark(any_met);  // while the block is in the nearest cache
     }
   };
   for_hashed_batches(hasher, scratch, prepare, [&](std::size_t begin, std::size_t end) {
     add_batches(scratch.contact_batches, begin, end, *hasher);
   });
-  list_impacts(scratch.contact_batches);
+  list_impacts(scratch.contact_batches, any_met != 0);
   return {};
 }
 

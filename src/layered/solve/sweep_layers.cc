@@ -43,6 +43,18 @@ void sweep_together(Scratch& scratch, Task task) {
   sweep_by(scratch, scratch.shares.parts, task);
 }
 
+// Sweep number k over the groups that take_part(group), in direction `first` or, if k is odd, in the opposite one.
+// False: no body moves, of any worker.
+template <class TakePart>
+bool sweep_groups(const Scratch& scratch, Sweeper& sweeper, const ContactWork& all, Sweep sweep, int k, Direction first,
+                  TakePart take_part) {
+  bool moved = false;
+  for (const SweepGroup& group : scratch.sweep_groups) {
+    if (take_part(group)) moved |= sweeper.sweep_once(all, group, sweep, k % 2 == 0 ? first : opposite(first));
+  }
+  return sweeper.meet(moved);
+}
+
 // Takes the bodies of contacts that bounce for moved by the last visit, and no others: what is solved next is due to
 // their motion alone, and not to what happens elsewhere. False: nothing bounces.
 bool stir_bouncing(Scratch& scratch, const ContactBatches& all, std::span<const Manifold> manifolds) {
@@ -114,13 +126,9 @@ void stop_layers(Scratch& scratch, const ContactWork& all, const Impacts& impact
     sweeper.begin();
     bool moved = true;
     for (int k = 0; moved && k < kStopSweepsMax; ++k) {
-      moved = false;
       sweeper.begin_sweep(k);
-      for (const SweepGroup& group : scratch.sweep_groups) {
-        if (k >= (group.hard ? 1 : group.sweeps)) continue;
-        moved |= sweeper.sweep_once(all, group, Sweep::kStop, k % 2 == 0 ? Direction::kUp : Direction::kDown);
-      }
-      moved = sweeper.meet(moved);
+      moved = sweep_groups(scratch, sweeper, all, Sweep::kStop, k, Direction::kUp,
+                           [&](const SweepGroup& group) { return k < (group.hard ? 1 : group.sweeps); });
     }
   });
 }
@@ -156,13 +164,9 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
     sweeper.begin();
     bool moved = true;
     for (int k = 0; moved && k < most; ++k) {
-      moved = false;
       sweeper.begin_sweep(k);
-      for (const SweepGroup& group : scratch.sweep_groups) {
-        if (k >= group.sweeps) continue;
-        moved |= sweeper.sweep_once(all, group, Sweep::kHold, k % 2 == 0 ? first : opposite(first));
-      }
-      moved = sweeper.meet(moved);
+      moved = sweep_groups(scratch, sweeper, all, Sweep::kHold, k, first,
+                           [&](const SweepGroup& group) { return k < group.sweeps; });
       if (fast_visits > 0) moved |= sweeper.visit_fast_layer(sweep, substep_s, fast_visits);
     }
     impacts.end_layers(sweeper);
@@ -208,11 +212,8 @@ bool bounce_fast_layer(Scratch& scratch, double substep_s) {
       sweeper.begin_turn(turn);
       moved = sweeper.visit_fast_layer(sweep, substep_s, kFastVisits);
       if (!touches) continue;
-      bool any = false;
-      for (const SweepGroup& group : scratch.sweep_groups) {
-        any |= sweeper.sweep_once(all, group, Sweep::kHold, turn % 2 == 0 ? Direction::kUp : Direction::kDown);
-      }
-      moved |= sweeper.meet(any);
+      moved |= sweep_groups(scratch, sweeper, all, Sweep::kHold, turn, Direction::kUp,
+                            [](const SweepGroup& /*all*/) { return true; });
     }
   };
   if (!stir_bouncing(scratch, fast.batches, fast.found.manifolds)) return false;
@@ -226,7 +227,7 @@ bool bounce_fast_layer(Scratch& scratch, double substep_s) {
   stir_bouncing(scratch, fast.batches, fast.found.manifolds);
   sweep_by(scratch, parts, [&](Sweeper& sweeper) {
     impacts.begin_fast(sweeper);
-    impacts.begin_layers(sweeper);
+    if (touches) impacts.begin_layers(sweeper);
     take_turns(sweeper, Sweep::kRestitution);
     if (touches) impacts.end_layers(sweeper);
   });
@@ -244,14 +245,10 @@ void bounce_layers(Scratch& scratch, double substep_s) {
       impacts.begin_layers(sweeper);
       bool moved = true;
       for (int turn = 0; moved && turn < kBounceTurnsMax; ++turn) {
-        moved = false;
         sweeper.begin_turn(turn);
-        for (const SweepGroup& group : scratch.sweep_groups) {
-          // In hard islands, many would throw out what is light between heavy bodies.
-          if (turn > 0 && group.hard) continue;
-          moved |= sweeper.sweep_once(all, group, sweep, turn % 2 == 0 ? Direction::kUp : Direction::kDown);
-        }
-        moved = sweeper.meet(moved);
+        // In hard islands, many would throw out what is light between heavy bodies.
+        moved = sweep_groups(scratch, sweeper, all, sweep, turn, Direction::kUp,
+                             [&](const SweepGroup& group) { return turn == 0 || !group.hard; });
       }
       if (sweep == Sweep::kHold) impacts.end_layers(sweeper);
     });
