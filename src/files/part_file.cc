@@ -4,18 +4,14 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <climits>
-#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "src/files/ending_names.h"
 #include "src/files/file_identity.h"
 #include "src/files/maker_in_name.h"
 
@@ -27,25 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kStemMax = 200;  // of a name: 255 bytes at most, and a part's name is longer
 constexpr int kTriesMax = 1000;
 
-// The names of open parts, where a signal's handler may read them. A part that finds no row stays after a signal, until
-// open_part() removes it.
-struct OpenPart {
-  enum State : int { kFree, kTaken, kNamed };
-  std::atomic<int> state = kFree;
-  std::array<char, PATH_MAX> name = {};
-};
-std::array<OpenPart, 16> open_parts;
-static_assert(std::atomic<int>::is_always_lock_free);
-
-void remember_part(const std::string& part) {
-  for (OpenPart& row : open_parts) {
-    int free = OpenPart::kFree;
-    if (part.size() >= row.name.size() || !row.state.compare_exchange_strong(free, OpenPart::kTaken)) continue;
-    std::copy_n(part.c_str(), part.size() + 1, row.name.begin());
-    row.state = OpenPart::kNamed;
-    return;
-  }
-}
+constinit EndingNames open_parts;
 
 /// The process that a part of this stem was made by; none for another file.
 std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
@@ -94,25 +72,20 @@ int open_part(const std::string& place, std::string& part) {
   remove_leftovers(folder, stem);
   for (int k = 0; k < kTriesMax; ++k) {
     part = (folder / (stem + std::to_string(::getpid()) + '-' + std::to_string(k))).string();
+    const NamesHeld held;
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     struct flock own = whole_file();  // excludes no sink that this process opens for a log of that name
     if (file >= 0) static_cast<void>(::fcntl(file, F_SETLK, &own));
-    if (file >= 0) remember_part(part);
+    if (file >= 0) open_parts.remember(part);
     if (file >= 0 || errno != EEXIST) return file;
   }
   return -1;
 }
 
-void forget_part(const std::string& part) {
-  for (OpenPart& row : open_parts) {
-    if (row.state == OpenPart::kNamed && part == row.name.data()) row.state = OpenPart::kFree;
-  }
-}
+void forget_part(const std::string& part) { open_parts.forget(part); }
 
 void remove_parts() {
-  for (OpenPart& row : open_parts) {
-    if (row.state == OpenPart::kNamed) ::unlink(row.name.data());
-  }
+  open_parts.remove_all([](const char* part) { ::unlink(part); });
 }
 
 }  // namespace tumble::files

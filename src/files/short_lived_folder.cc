@@ -9,12 +9,8 @@
 #include <dirent.h>
 #endif
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <climits>
-#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -23,22 +19,14 @@
 #include <string_view>
 #include <system_error>
 
+#include "src/files/ending_names.h"
 #include "src/files/file_identity.h"
 #include "src/files/maker_in_name.h"
 
 namespace tumble::files {
 namespace {
 
-// Where a signal's handler may read them.
-struct Row {
-  enum State : int { kFree, kTaken, kNamed };
-  std::atomic<int> state = kFree;
-  pid_t process = 0;
-  int lock = -1;  // the folder, locked
-  std::array<char, PATH_MAX> name = {};
-};
-std::array<Row, 16> rows;
-static_assert(std::atomic<int>::is_always_lock_free);
+constinit EndingNames folders;
 
 constexpr std::size_t kLetters = 6;  // that mkdtemp() chooses
 constexpr int kFolderTriesMax = 100;
@@ -114,19 +102,6 @@ void sweep(const std::string& place, std::string_view stem) {
   }
 }
 
-void remember(const std::string& folder, int lock) {
-  for (Row& row : rows) {
-    int free = Row::kFree;
-    if (folder.size() >= row.name.size() || !row.state.compare_exchange_strong(free, Row::kTaken)) continue;
-    std::copy_n(folder.c_str(), folder.size() + 1, row.name.begin());
-    row.process = ::getpid();
-    row.lock = lock;
-    row.state = Row::kNamed;
-    return;
-  }
-  ::close(lock);
-}
-
 /// A folder that nobody took for left over before it was locked; that can only be a process that does not see this one,
 /// as one of another container.
 bool make_locked(const std::string& pattern, std::string& name, int& lock) {
@@ -150,32 +125,20 @@ std::string make_short_lived_folder(const std::string& place, const std::string&
   const int errno_before = errno;
   sweep(place, stem);
   const std::filesystem::path pattern = std::filesystem::path(place) / (stem + std::to_string(::getpid()) + "-XXXXXX");
-  sigset_t all;
-  sigset_t before;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // no signal comes while the folder is there and nobody knows of it
+  const NamesHeld held;
   std::string name;
   int lock = -1;
   const bool made = make_locked(pattern.string(), name, lock);
   const int error = made ? errno_before : errno;
-  if (made) remember(name, lock);
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (made) folders.remember(name, lock);
   errno = error;
   return made ? name : "";
 }
 
-void forget_short_lived_folder(const std::string& folder) {
-  for (Row& row : rows) {
-    if (row.state != Row::kNamed || folder != row.name.data()) continue;
-    ::close(row.lock);
-    row.state = Row::kFree;
-  }
-}
+void forget_short_lived_folder(const std::string& folder) { folders.forget(folder); }
 
 void remove_short_lived_folders() {
-  for (Row& row : rows) {
-    if (row.state == Row::kNamed && row.process == ::getpid()) remove_entry(AT_FDCWD, row.name.data(), 0);
-  }
+  folders.remove_all([](const char* folder) { remove_entry(AT_FDCWD, folder, 0); });
 }
 
 }  // namespace tumble::files

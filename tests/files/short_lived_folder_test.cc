@@ -7,12 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "tests/files/gate.h"
 #include "tests/files/temporary_place.h"
 
 namespace tumble::files {
@@ -35,37 +35,46 @@ void fill(const fs::path& folder) {
   std::ofstream(folder / "a" / "b" / ".hidden") << 1;
 }
 
+/// Runs `work` in a process of its own, which ends as after a signal.
+template <class Work>
+void ended_after(Work work) {
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    work();
+    remove_short_lived_folders();
+    ::_exit(0);
+  }
+  int status = -1;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
 TEST_F(ShortLivedFolder, IsRemovedWithAllThatIsInItAndNothingElse) {
   const fs::path kept = path("kept");
   fill(kept);
-  const fs::path gone = made();
-  fill(gone);
-  fs::create_directory_symlink(kept, gone / "link");
-  remove_short_lived_folders();
-  forget_short_lived_folder(gone.string());
-  EXPECT_FALSE(fs::exists(gone));
+  ended_after([&] {
+    const fs::path gone = made();
+    fill(gone);
+    fs::create_directory_symlink(kept, gone / "link");
+  });
+  EXPECT_EQ(count(), 1U);
   EXPECT_TRUE(fs::exists(kept / "a" / "b" / ".hidden")) << "a link is no folder";
 }
 
 TEST_F(ShortLivedFolder, OneThatIsForgottenStays) {
-  const fs::path folder = made();
-  fill(folder);
-  forget_short_lived_folder(folder.string());
-  remove_short_lived_folders();
-  EXPECT_TRUE(fs::exists(folder / "a"));
+  ended_after([&] {
+    const fs::path folder = made();
+    fill(folder);
+    forget_short_lived_folder(folder.string());
+  });
+  EXPECT_EQ(count(), 1U);
 }
 
 TEST_F(ShortLivedFolder, AChildRemovesNoneOfItsParent) {
   const fs::path folder = made();
   fill(folder);
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    remove_short_lived_folders();
-    ::_exit(0);
-  }
-  int status = 0;
-  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  ended_after([] {});
   EXPECT_TRUE(fs::exists(folder / "a"));
   forget_short_lived_folder(folder.string());
 }
@@ -84,29 +93,6 @@ pid_t killed_after(Work work) {
   EXPECT_TRUE(WIFSIGNALED(status));
   return child;
 }
-
-/// wait() lasts until every other process that has the gate opens it or ends.
-class Gate {
- public:
-  Gate() { EXPECT_EQ(::pipe(ends_.data()), 0); }
-  ~Gate() { open(); }
-  Gate(const Gate&) = delete;
-  Gate& operator=(const Gate&) = delete;
-  void wait() {
-    ::close(ends_[1]);
-    char none = 0;
-    EXPECT_EQ(::read(ends_[0], &none, 1), 0);
-  }
-  void open() {
-    for (int& end : ends_) {
-      if (end >= 0) ::close(end);
-      end = -1;
-    }
-  }
-
- private:
-  std::array<int, 2> ends_ = {-1, -1};
-};
 
 TEST_F(ShortLivedFolder, WhatAKilledProcessLeftGoesWithTheNextFolder) {
   const pid_t killed = killed_after([&] { fill(made()); });
