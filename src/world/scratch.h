@@ -166,6 +166,7 @@ struct FastContacts {
   ContactMemory memory;                ///< written by bounce_fast_contacts
   ContactBatches batches;              ///< of one layer
   std::vector<std::uint32_t> members;  ///< of the layer
+  std::vector<double> before;          ///< as `found.manifolds`: N·s with which the substep began
   std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
   std::vector<std::uint8_t> waits;     ///< as `bodies`: those that bounce now
   bool takes_along = false;            ///< bodies that bounce touch others; written by bounce_fast_contacts

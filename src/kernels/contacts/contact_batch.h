@@ -30,6 +30,9 @@ inline constexpr double kHitStops = 3;
 /// m of overlap that is not removed; of a box thinner than 5 cm, this part of its smallest half extent.
 inline constexpr double kSlop = 0.0005, kSlopOfHalfExtent = 0.02;
 
+/// m apart that counts as touching.
+inline constexpr double kSkin = 0.0001;
+
 /// One number for each of eight manifolds.
 struct alignas(64) Lanes {
   double of[kLanes] = {};
@@ -74,10 +77,10 @@ struct ContactBatch {
   std::uint8_t hard = 0;               ///< a bit a lane: the manifold belongs to a hard island (assign_levels)
   std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
   std::uint8_t loose = 0;              ///< a bit a lane: the manifold touches nothing at rest, directly or by others
+  bool fast = false;                   ///< of fast pairs, found anew in every substep
   bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
   bool levers_turned = false;          ///< by the last `prepare` or `move_on`, in a lane
   std::uint32_t impact = 0;            ///< where one has met, its number among the ImpactBatches
-  double bounce_min = kBounceMin;      ///< m/s; slower impacts do not bounce
   Lanes point_count;                   ///< of each manifold
   Lanes n[3], t1[3], t2[3];
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic
@@ -98,6 +101,9 @@ struct ContactBatch {
   Lanes response[6];                 ///< of (u, W1, W2) to the sums (S, Sq, Sp)
   Lanes relaxation;
 };
+
+/// m/s; slower impacts do not bounce.
+inline double bounce_min(const ContactBatch& batch) { return batch.fast ? kFastBounceMin : kBounceMin; }
 
 /// The work of a batch's normal impulses, where a manifold met fast. The energy that they take from the bodies is
 /// exactly the sum over points of −J ½ (v before + v after), whatever else has pushed meanwhile: v of the point along

@@ -239,7 +239,8 @@ void forget_impacts(const Manifolds<V>& m) {
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2),
           part = after == before ? V{} + 1.0 : after / before;
   const V kept = (magnitude(force1) + magnitude(force2)) * yield > kWarmSpeedMax ? V{} : part;
-  m.set(batch.passes_on, larger(m.get(batch.passes_on), kBornePart * larger(after, load)));
+  const V carried = batch.fast ? load : larger(after, load);  // the impulse of a fast pair may have stopped a hit
+  m.set(batch.passes_on, larger(m.get(batch.passes_on), kBornePart * carried));
   m.set(batch.force1, force1 * kept);
   m.set(batch.force2, force2 * kept);
   m.set(batch.twist, m.get(batch.twist) * kept);

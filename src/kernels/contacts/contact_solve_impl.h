@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
 constexpr int kInnerRestitution = 12;  // one visit a step; an impulse that falls short loses energy
-constexpr double kSkin = 0.0001;       // m apart that counts as touching; see bias_of
 constexpr double kPushMax = 1;         // m/s
 
 template <class V, template <class> class B>
@@ -64,7 +63,7 @@ V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
   const V impulse = m.get(point.impulse);
   const V wanted = impulse - m.get(m.batch->relaxation) * (m.get(point.mass) * speed);
   if constexpr (kSweep == Sweep::kRestitution) {
-    const V met = m.get(point.approach) > -m.batch->bounce_min ? impulse : wanted;
+    const V met = m.get(point.approach) > -bounce_min(*m.batch) ? impulse : wanted;
     return m.get(point.peak) == 0.0 ? impulse : met;
   }
   return wanted;
@@ -141,7 +140,7 @@ Wrench<V> operator+(const Wrench<V>& a, const Wrench<V>& b) {
 // The lanes of which a point met fast enough to bounce.
 template <class V, template <class> class B>
 auto met_fast(const Manifolds<V, B>& m) {
-  const V least = V{} - m.batch->bounce_min;
+  const V least = V{} - bounce_min(*m.batch);
   V fastest = V{};
   for (unsigned k = 0; k < m.batch->count; ++k) {
     const PointBatch& point = m.points[k];

@@ -23,7 +23,6 @@ struct LayerList {
   std::span<const std::uint32_t> members;  // layer by layer
   std::span<const std::uint32_t> start;    // by layer, in `members`; one more at the end
   std::uint32_t hard_from = 0;             // layers from this one on belong to hard islands
-  double bounce_min = 0;
   bool of_fast_pairs = false;
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(start.size() - 1); }
@@ -70,7 +69,7 @@ class Grouping {
       batch.used = std::min<std::uint32_t>(kLanes, layers_.start[layer + 1] - batch.members);
       batch.hard = batch.turns = layer >= layers_.hard_from ? kAllLanes : 0;
       batch.loose = 0;
-      batch.bounce_min = layers_.bounce_min;
+      batch.fast = layers_.of_fast_pairs;
       batch.count = 0;
       for (unsigned lane = 0; lane < batch.used; ++lane) {
         const std::uint32_t m = all_.order[batch.members + lane];
@@ -161,7 +160,7 @@ class Filling {
     empty.used = batch.used;
     empty.hard = batch.hard;
     empty.turns = batch.turns;
-    empty.bounce_min = batch.bounce_min;
+    empty.fast = batch.fast;
     empty.members = batch.members;
     empty.first = batch.first;
     empty.count = batch.count;
@@ -212,14 +211,16 @@ class Filling {
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
     const bool a_falls = moves(bodies_, m.a), b_falls = moves(bodies_, m.b);
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
-    const bool loose = is_loose(m), keeps_all = !loose && m.layer >= layers_.hard_from;
+    const bool loose = is_loose(m);
+    const bool keeps_all = !loose && !layers_.of_fast_pairs && m.layer >= layers_.hard_from;
     batch.passes_on.of[lane] = keeps_all ? std::numeric_limits<double>::max() : kBorneWeights * (fall_ * lighter);
     if (loose) batch.loose = static_cast<std::uint8_t>(batch.loose | 1U << lane);
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
   // Whether bodies meet that touch nothing at rest, so that a substep may begin with what they bear and no more.
   [[nodiscard]] bool is_loose(const Manifold& m) const {
-    return layers_.of_fast_pairs || m.layer + 1 == layers_.hard_from || m.layer + 1 == layers_.count();
+    if (layers_.of_fast_pairs) return false;
+    return m.layer + 1 == layers_.hard_from || m.layer + 1 == layers_.count();
   }
   double mass_of(BodyIndex i) const { return moves(bodies_, i) ? bodies_.mass[i] : std::numeric_limits<double>::max(); }
   double thickness_of(BodyIndex i) const {
@@ -282,7 +283,7 @@ void batch_layers(const WorldState& state, const LayerList& layers, std::span<co
 
 void batch_contacts(const WorldState& state, Scratch& scratch) {
   const SweepGroup& last = scratch.sweep_groups.back();
-  const LayerList layers = {scratch.layered, scratch.layer_start, last.hard ? last.begin : last.end, kBounceMin};
+  const LayerList layers = {scratch.layered, scratch.layer_start, last.hard ? last.begin : last.end};
   batch_layers(state, layers, scratch.manifolds, scratch.manifold_points, scratch, scratch.contact_batches);
 }
 
@@ -292,7 +293,7 @@ void batch_fast_contacts(const WorldState& state, Scratch& scratch) {
   members.resize(found.manifolds.size());
   std::iota(members.begin(), members.end(), 0U);
   const std::uint32_t start[] = {0, static_cast<std::uint32_t>(members.size())};
-  const LayerList layer = {members, start, 1, kFastBounceMin, true};
+  const LayerList layer = {members, start, 1, true};
   batch_layers(state, layer, found.manifolds, found.points, scratch, scratch.fast.batches);
 }
 

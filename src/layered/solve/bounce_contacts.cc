@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "src/layered/find/contact_memory.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
@@ -18,6 +19,14 @@ void add_bounced(const Scratch& scratch, Hasher& hasher) {
   }
 }
 
+// As store_contacts does for layers, of the last substep.
+void keep_borne_of_fast_pairs(Scratch& scratch, double fall) {
+  FastContacts& fast = scratch.fast;
+  if (fast.none()) return;
+  keep_borne_of_fast(scratch, fall);
+  remember_contacts(fast.found.manifolds, fast.found.points, nullptr, {}, scratch.workers, fast.memory);
+}
+
 }  // namespace
 
 Status bounce_contacts(WorldState& state, Scratch& scratch, double dt_s) {
@@ -25,7 +34,13 @@ Status bounce_contacts(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.visits.first = scratch.visits.now;
   bounce_layers(scratch, dt_s);
   if (hasher != nullptr) add_bounced(scratch, *hasher);
-  store_contacts(scratch, hasher, length(state.def.gravity) * dt_s / state.def.substeps);
+  const double fall = length(state.def.gravity) * dt_s / state.def.substeps;
+  store_contacts(scratch, hasher, fall);
+  keep_borne_of_fast_pairs(scratch, fall);
+  if (hasher != nullptr) {
+    GatheredNumbers numbers(hasher);
+    add_stored_fast_contacts(scratch.fast, numbers);
+  }
   return {};
 }
 
@@ -33,6 +48,7 @@ void hash_bounce_contacts(const WorldState& /*state*/, const Scratch& scratch, H
   add_bounced(scratch, hasher);
   GatheredNumbers numbers(&hasher);
   add_stored_contacts(scratch, 0, scratch.layered.size(), numbers);
+  add_stored_fast_contacts(scratch.fast, numbers);
 }
 
 }  // namespace tumble::sim

@@ -22,7 +22,7 @@ std::uint8_t with_lane(std::uint8_t lanes, unsigned lane) { return static_cast<s
 
 bool met_fast(const ContactWork& work, const ContactBatch& batch, unsigned lane) {
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-    if (work.points[k].approach.of[lane] <= -batch.bounce_min) return true;
+    if (work.points[k].approach.of[lane] <= -bounce_min(batch)) return true;
   }
   return false;
 }
@@ -53,6 +53,18 @@ void forget_impact(const ContactBatches& all, std::uint32_t place, Manifold& m, 
   if (met) m.force1 = m.force2 = m.twist = 0;
 }
 
+ContactLane contact_at(const Scratch& scratch, const ContactBatches& all, std::uint32_t place) {
+  const ContactBatch& batch = all.batches[place / kLanes];
+  const bool bounced = all.sides[place / kLanes].visited[place % kLanes] > scratch.visits.bounces;
+  return {batch, all.points.data() + batch.first, place % kLanes, bounced};
+}
+
+// N·s, of the lighter body for a substep.
+double weight_of(const Scratch& scratch, const Manifold& m, double fall) {
+  const auto inverse_mass = [&](BodyIndex i) { return i == kGround ? 0.0 : scratch.solver_bodies[i].inverse_mass; };
+  return fall / std::max(inverse_mass(m.a), inverse_mass(m.b));
+}
+
 ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
   return {all.batches.data(),
           all.sides.data(),
@@ -67,6 +79,15 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
           {},
           false,
           0};
+}
+
+void add_stored(const Manifold& m, std::span<const ManifoldPoint> points, GatheredNumbers& numbers) {
+  double* const of_manifold = numbers.next(3);
+  of_manifold[0] = m.force1, of_manifold[1] = m.force2, of_manifold[2] = m.twist;
+  for (const ManifoldPoint& point : points) {
+    double* const of_point = numbers.next(2);
+    of_point[0] = point.impulse, of_point[1] = point.separation;
+  }
 }
 
 }  // namespace
@@ -97,17 +118,13 @@ void list_impacts(ContactBatches& all, bool any) {
 
 void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
   const ContactBatches& all = scratch.contact_batches;
-  const auto inverse_mass = [&](BodyIndex i) { return i == kGround ? 0.0 : scratch.solver_bodies[i].inverse_mass; };
-  const auto weight_of = [&](const Manifold& m) { return fall / std::max(inverse_mass(m.a), inverse_mass(m.b)); };
   const auto store_one = [&](std::uint32_t manifold, std::uint32_t place) {
     Manifold& m = scratch.manifolds[manifold];
-    const ContactBatch& batch = all.batches[place / kLanes];
-    const bool bounced = all.sides[place / kLanes].visited[place % kLanes] > scratch.visits.bounces;
-    const ContactLane contact{batch, all.points.data() + batch.first, place % kLanes, bounced};
+    const ContactLane contact = contact_at(scratch, all, place);
     const std::span<ManifoldPoint> points = points_of(scratch, m);
     const double before = impulse_of(contact, points);
     store_contact(all, place, m, points);
-    if (grew(contact, before, points)) keep_borne(contact, before, weight_of(m), m, points);
+    if (grew(contact, before, points)) keep_borne(contact, before, weight_of(scratch, m, fall), m, points);
   };
   if (hasher == nullptr) {
     return for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
@@ -130,22 +147,39 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall) {
 void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers) {
   for (std::size_t k = begin; k < end; ++k) {
     const Manifold& m = scratch.manifolds[scratch.layered[k]];
-    double* const of_manifold = numbers.next(3);
-    of_manifold[0] = m.force1, of_manifold[1] = m.force2, of_manifold[2] = m.twist;
-    for (const ManifoldPoint& point : points_of(scratch, m)) {
-      double* const of_point = numbers.next(2);
-      of_point[0] = point.impulse, of_point[1] = point.separation;
-    }
+    add_stored(m, points_of(scratch, m), numbers);
   }
+}
+
+void add_stored_fast_contacts(const FastContacts& fast, GatheredNumbers& numbers) {
+  if (fast.none()) return;
+  for (const Manifold& m : fast.found.manifolds) add_stored(m, points_of(fast.found, m), numbers);
 }
 
 void store_fast_contacts(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
+  fast.before.resize(fast.found.manifolds.size());
   for_ranges(scratch.workers, fast.found.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = fast.found.manifolds[k];
-      store_contact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
-      forget_impact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
+      const std::uint32_t place = fast.batches.place[k];
+      fast.before[k] = impulse_of(contact_at(scratch, fast.batches, place), points_of(fast.found, m));
+      store_contact(fast.batches, place, m, points_of(fast.found, m));
+      forget_impact(fast.batches, place, m, points_of(fast.found, m));
+    }
+  });
+}
+
+void keep_borne_of_fast(Scratch& scratch, double fall) {
+  FastContacts& fast = scratch.fast;
+  for_ranges(scratch.workers, fast.found.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Manifold& m = fast.found.manifolds[k];
+      const ContactLane contact = contact_at(scratch, fast.batches, fast.batches.place[k]);
+      const std::span<ManifoldPoint> points = points_of(fast.found, m);
+      // What brakes goes on with all of it: with half, towers that fall as one throw their top back.
+      if (!contact.bounced || !grew(contact, fast.before[k], points)) continue;
+      keep_borne(contact, fast.before[k], weight_of(scratch, m, fall), m, points);
     }
   });
 }

@@ -96,6 +96,7 @@ class PointsOfLane {
   // In a bounce leaves out all points but those that meet fast now: the bodies wait, and others meet in a later
   // substep, if they still do. Where no point bounces now, those that meet fast later in the substep bounce at once,
   // where they are. One that meets later still is left out too, since a push that stops it in part would be no bounce.
+  // What is left out presses with nothing, also where it did in the substep before.
   void separate_bounce(double substep_s) {
     const auto touches = [&](const PointBatch& point) { return point.separation.of[lane_] <= kMet; };
     const auto meets = [&](const PointBatch& point) {
@@ -109,6 +110,7 @@ class PointsOfLane {
         meet_here(point);
       } else if (now || later || fast(point)) {
         point.mass.of[lane_] = 0;
+        if (!touches(point)) point.impulse.of[lane_] = 0;
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
+#include "src/layered/batch/share_sweeps.h"
 #include "src/layered/islands/sweep_counts.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/sweeper.h"
@@ -94,6 +95,24 @@ void leave_out_later(ContactBatches& fast) {
       if (later && !presses(fast, batch, lane)) fast.sides[k].visited[lane] = kNeverDue;
     }
   }
+}
+
+// Leaves out the contacts of layers that nothing has pressed in this step and that do not touch at its end: what ends
+// the push would stop them in the air, and they would bounce there.
+void leave_out_untouched(Scratch& scratch) {
+  ContactBatches& all = scratch.contact_batches;
+  for_shared_batches(scratch, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const ContactBatch& batch = all.batches[k];
+      const auto points = std::span(all.points).subspan(batch.first, batch.count);
+      for (unsigned lane = 0; lane < batch.used; ++lane) {
+        const bool touches = std::ranges::any_of(points, [&](const PointBatch& point) {
+          return point.peak.of[lane] > 0 || (point.mass.of[lane] > 0 && point.separation.of[lane] <= kSkin);
+        });
+        if (!touches) all.sides[k].visited[lane] = kNeverDue;
+      }
+    }
+  });
 }
 
 // The impacts of layers and of fast pairs, as one.
@@ -234,10 +253,11 @@ bool bounce_fast_layer(Scratch& scratch, double substep_s) {
   return touches;
 }
 
-void bounce_layers(Scratch& scratch, double substep_s) {
-  const ContactWork all = all_contacts(scratch, substep_s);
-  const Impacts impacts(scratch, substep_s);
+void bounce_layers(Scratch& scratch, double dt_s) {
+  const ContactWork all = all_contacts(scratch, dt_s);
+  const Impacts impacts(scratch, dt_s);
   if (scratch.contact_batches.impacts.empty()) return;
+  leave_out_untouched(scratch);
   stop_layers(scratch, all, impacts);
   for (const Sweep sweep : {Sweep::kHold, Sweep::kRestitution}) {
     if (!stir_bouncing(scratch, scratch.contact_batches, scratch.manifolds)) return;

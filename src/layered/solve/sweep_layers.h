@@ -32,6 +32,6 @@ void warm_start_layers(Scratch& scratch, double substep_s);
 /// touches, directly or by others, are solved by turns, so that all of it is taken along. The former returns whether
 /// bodies of fast pairs touch anything else.
 bool bounce_fast_layer(Scratch& scratch, double substep_s);
-void bounce_layers(Scratch& scratch, double substep_s);
+void bounce_layers(Scratch& scratch, double dt_s);
 
 }  // namespace tumble::sim
