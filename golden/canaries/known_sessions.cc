@@ -111,7 +111,7 @@ CanaryResult watch_heap() {
       return result;
     }
   }
-  result.caught = watcher.layers == 21168;
+  result.caught = watcher.layers == 21169;
   if (!result.caught) result.message = "told of " + std::to_string(watcher.layers) + " layers";
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 
 namespace tumble::files {
 namespace {
@@ -15,6 +16,9 @@ constexpr int kPausesMax = 1000;  // a thread that was making a name when this p
 std::atomic<int> holders = 0;
 std::atomic<pid_t> ending = 0;  // the process whose names are being removed
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+
+// Another thread may write a row's name while one looks for its own; a number it may read meanwhile.
+std::size_t key_of(const std::string& name) { return std::hash<std::string>()(name); }
 
 }  // namespace
 
@@ -38,6 +42,7 @@ void EndingNames::remember(const std::string& name, int lock) {
     int free = Row::kFree;
     if (name.size() >= row.name.size() || !row.state.compare_exchange_strong(free, Row::kTaken)) continue;
     std::copy_n(name.c_str(), name.size() + 1, row.name.begin());
+    row.key = key_of(name);
     row.process = ::getpid();
     row.lock = lock;
     row.state = Row::kNamed;
@@ -48,9 +53,10 @@ void EndingNames::remember(const std::string& name, int lock) {
 
 void EndingNames::forget(const std::string& name) {
   for (Row& row : rows_) {
-    if (row.state != Row::kNamed || name != row.name.data()) continue;
+    if (row.state != Row::kNamed || row.key != key_of(name)) continue;
     if (row.lock >= 0) ::close(row.lock);
     row.state = Row::kFree;
+    return;
   }
 }
 

@@ -6,12 +6,14 @@
 #include <atomic>
 #include <climits>
 #include <csignal>
+#include <cstddef>
 #include <string>
 
 namespace tumble::files {
 
-/// While it exists, no signal is handled in this thread, and none that another thread handles removes names: make and
-/// remember a file under one, and no signal finds the file there and its name unknown.
+/// While it exists, no signal is handled in this thread, and what another thread handles waits up to a second before it
+/// removes names: make and remember a file under one, and no signal finds the file there and its name unknown. Hold it
+/// for one system call or a few, and allocate nothing: the handler may have interrupted a thread that allocates.
 class NamesHeld {
  public:
   NamesHeld();
@@ -29,7 +31,7 @@ class EndingNames {
  public:
   /// lock: a descriptor that forget() closes, −1 for none; closed at once where there is no place.
   void remember(const std::string& name, int lock = -1);
-  void forget(const std::string& name);
+  void forget(const std::string& name);  ///< once
   /// Calls `remove` with each name that this process, not one that forked it, remembered and did not forget. From then
   /// on no thread makes further ones: each waits in NamesHeld for the end of the process. For the handler of a signal.
   void remove_all(void (*remove)(const char* name));
@@ -38,6 +40,7 @@ class EndingNames {
   struct Row {
     enum State : int { kFree, kTaken, kNamed };
     std::atomic<int> state = kFree;
+    std::atomic<std::size_t> key = 0;  // of the name
     pid_t process = 0;
     int lock = -1;
     std::array<char, PATH_MAX> name = {};

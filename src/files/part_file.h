@@ -12,8 +12,8 @@ int open_part(const std::string& place, std::string& part);
 /// Says that a part was renamed or removed: remove_parts() passes it by.
 void forget_part(const std::string& part);
 
-/// Removes this process's parts that were not forgotten. May be called in the handler of a signal that ends the
-/// process.
+/// Removes this process's parts that were not forgotten. For the handler of a signal that ends the process, or its end:
+/// whoever makes a part after that waits for ever.
 void remove_parts();
 
 }  // namespace tumble::files

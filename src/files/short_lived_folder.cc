@@ -20,7 +20,6 @@
 #include <system_error>
 
 #include "src/files/ending_names.h"
-#include "src/files/file_identity.h"
 #include "src/files/maker_in_name.h"
 
 namespace tumble::files {
@@ -109,9 +108,10 @@ bool make_locked(const std::string& pattern, std::string& name, int& lock) {
     name = pattern;
     if (::mkdtemp(name.data()) == nullptr) return false;
     lock = locked_folder(name.c_str());
-    struct stat info = {};
-    const bool is_ours = lock >= 0 && ::fstat(lock, &info) == 0;
-    if (is_ours && identity_of(name) == FileIdentity{info.st_dev, info.st_ino}) return true;
+    struct stat locked = {};
+    struct stat named = {};
+    const bool are_there = lock >= 0 && ::fstat(lock, &locked) == 0 && ::stat(name.c_str(), &named) == 0;
+    if (are_there && locked.st_dev == named.st_dev && locked.st_ino == named.st_ino) return true;
     if (lock >= 0) ::close(lock);
   }
   errno = EAGAIN;
@@ -125,10 +125,11 @@ std::string make_short_lived_folder(const std::string& place, const std::string&
   const int errno_before = errno;
   sweep(place, stem);
   const std::filesystem::path pattern = std::filesystem::path(place) / (stem + std::to_string(::getpid()) + "-XXXXXX");
-  const NamesHeld held;
-  std::string name;
+  const std::string letters = pattern.string();
+  std::string name = letters;
   int lock = -1;
-  const bool made = make_locked(pattern.string(), name, lock);
+  const NamesHeld held;
+  const bool made = make_locked(letters, name, lock);
   const int error = made ? errno_before : errno;
   if (made) folders.remember(name, lock);
   errno = error;

@@ -48,7 +48,7 @@ std::size_t held(const ContactBatches& b) {
 }
 std::size_t held(const FastContacts& f) {
   return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.marked, f.waits,
-                 f.before, f.unmet);
+                 f.unmet);
 }
 std::size_t held(const WaveScratch& w) {
   return held_by(w.pushed[0], w.pushed[1], w.sent[0], w.sent[1], w.taken, w.start);

@@ -163,10 +163,9 @@ struct FastContacts {
   std::vector<Approach> approaches;    ///< of the pairs, in this substep; written by find_fast_contacts
   ManifoldList found;                  ///< in this substep, ascending; written by find_fast_contacts
   bool remembers = false;              ///< whether `memory` is of the last substep; if not, the state's is
-  ContactMemory memory;                ///< written by bounce_fast_contacts
+  ContactMemory memory;                ///< written by bounce_fast_contacts and bounce_contacts
   ContactBatches batches;              ///< of one layer
   std::vector<std::uint32_t> members;  ///< of the layer
-  std::vector<double> before;          ///< as `found.manifolds`: N·s with which the substep began
   std::vector<std::uint8_t> marked;    ///< by row: listed in `bodies`
   std::vector<std::uint8_t> waits;     ///< as `bodies`: those that bounce now
   bool takes_along = false;            ///< bodies that bounce touch others; written by bounce_fast_contacts

@@ -128,6 +128,8 @@ std::vector<Field> fast_fields() {
       {"bounce_fast_contacts", "spin", [](World& w) { body(w).spin.y() += 1; }},
       {"bounce_fast_contacts", "separation", [=](World& w) { lane(fast(w).batches.points[0].separation) += 1; }},
       {"bounce_fast_contacts", "impulse", [=](World& w) { lane(fast(w).batches.points[0].impulse) += 1; }},
+      {"bounce_contacts", "impulse kept", [=](World& w) { fast(w).found.points[0].impulse += 1; }},
+      {"bounce_contacts", "friction kept", [=](World& w) { fast(w).found.manifolds[0].force1 += 1; }},
   };
   for (const char* phase : {"push_contacts", "integrate_positions", "relax_contacts"}) {
     fields.push_back({phase, "impulse", [=](World& w) { lane(fast(w).batches.points[0].impulse) += 1; }});

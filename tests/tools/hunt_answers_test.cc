@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -51,8 +52,7 @@ TEST(HuntAnswers, KnownFailuresAreFoundAndListed) {
   std::istringstream lines(page);
   std::size_t rows = 0;
   for (std::string line; std::getline(lines, line);) {
-    const std::string first = line.substr(0, line.find('`', 3));
-    rows += first.starts_with("| `") && tells(first, "_1_") ? 1U : 0U;
+    rows += std::regex_search(line, std::regex("^\\| `[a-z]+_[0-9]+_[0-9]+` \\|")) ? 1U : 0U;
   }
   EXPECT_EQ(rows, scenes) << "docs/hunting.md has a row of a scene that is not there, or has it twice";
 }

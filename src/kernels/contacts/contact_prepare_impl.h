@@ -239,7 +239,7 @@ void forget_impacts(const Manifolds<V>& m) {
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2),
           part = after == before ? V{} + 1.0 : after / before;
   const V kept = (magnitude(force1) + magnitude(force2)) * yield > kWarmSpeedMax ? V{} : part;
-  const V carried = batch.fast ? load : larger(after, load);  // the impulse of a fast pair may have stopped a hit
+  const V carried = batch.fast ? V{} : larger(after, load);  // a fast pair's impulse may have stopped a hit
   m.set(batch.passes_on, larger(m.get(batch.passes_on), kBornePart * carried));
   m.set(batch.force1, force1 * kept);
   m.set(batch.force2, force2 * kept);

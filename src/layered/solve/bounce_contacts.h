@@ -8,7 +8,7 @@
 namespace tumble::sim {
 
 /// Applies restitution, once a step: points that were hit leave with e times the speed of the impact.
-/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
+/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin; fast.found and fast.memory
 Status bounce_contacts(WorldState& state, Scratch& scratch, double dt_s);
 void hash_bounce_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -158,12 +158,10 @@ void add_stored_fast_contacts(const FastContacts& fast, GatheredNumbers& numbers
 
 void store_fast_contacts(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
-  fast.before.resize(fast.found.manifolds.size());
   for_ranges(scratch.workers, fast.found.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = fast.found.manifolds[k];
       const std::uint32_t place = fast.batches.place[k];
-      fast.before[k] = impulse_of(contact_at(scratch, fast.batches, place), points_of(fast.found, m));
       store_contact(fast.batches, place, m, points_of(fast.found, m));
       forget_impact(fast.batches, place, m, points_of(fast.found, m));
     }
@@ -177,9 +175,8 @@ void keep_borne_of_fast(Scratch& scratch, double fall) {
       Manifold& m = fast.found.manifolds[k];
       const ContactLane contact = contact_at(scratch, fast.batches, fast.batches.place[k]);
       const std::span<ManifoldPoint> points = points_of(fast.found, m);
-      // What brakes goes on with all of it: with half, towers that fall as one throw their top back.
-      if (!contact.bounced || !grew(contact, fast.before[k], points)) continue;
-      keep_borne(contact, fast.before[k], weight_of(scratch, m, fall), m, points);
+      // What brakes goes on as it is: with half, towers that fall as one throw their top back.
+      if (contact.bounced) keep_borne(contact, 0, weight_of(scratch, m, fall), m, points);
     }
   });
 }

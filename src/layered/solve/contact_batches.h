@@ -22,7 +22,8 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall);
 /// Adds what store_contacts has copied to the manifolds [begin, end) of scratch.layered.
 void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 void store_fast_contacts(Scratch& scratch);
-/// Takes from the contacts of fast pairs that bounced in the last substep, or were taken along, what threw the bodies.
+/// Takes from the contacts of fast pairs that bounced in the last substep, or were taken along, what threw the bodies:
+/// they keep four weights of the lighter one at most.
 void keep_borne_of_fast(Scratch& scratch, double fall);
 void add_stored_fast_contacts(const FastContacts& fast, GatheredNumbers& numbers);
 

@@ -88,15 +88,16 @@ void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
 // The points of one manifold of a batch.
 class PointsOfLane {
  public:
-  PointsOfLane(ContactBatches& all, const ContactBatch& batch, unsigned lane)
+  PointsOfLane(ContactBatches& all, ContactBatch& batch, unsigned lane)
       : points_(std::span(all.points).subspan(batch.first, batch.count)),
+        friction_{&batch.force1, &batch.force2, &batch.twist},
         lane_(lane),
         acceleration_(batch.acceleration.of[lane]) {}
 
   // In a bounce leaves out all points but those that meet fast now: the bodies wait, and others meet in a later
   // substep, if they still do. Where no point bounces now, those that meet fast later in the substep bounce at once,
   // where they are. One that meets later still is left out too, since a push that stops it in part would be no bounce.
-  // What is left out presses with nothing, also where it did in the substep before.
+  // What is left out and does not touch presses with nothing, also where it did in the substep before.
   void separate_bounce(double substep_s) {
     const auto touches = [&](const PointBatch& point) { return point.separation.of[lane_] <= kMet; };
     const auto meets = [&](const PointBatch& point) {
@@ -110,7 +111,7 @@ class PointsOfLane {
         meet_here(point);
       } else if (now || later || fast(point)) {
         point.mass.of[lane_] = 0;
-        if (!touches(point)) point.impulse.of[lane_] = 0;
+        if (!touches(point)) press_no_more(point);
       }
     }
   }
@@ -125,6 +126,13 @@ class PointsOfLane {
     return -std::sqrt(std::max(0.0, approach * approach + 2 * acceleration_ * separation));
   }
 
+  // Friction begins anew then: a part of it was due to this impulse.
+  void press_no_more(PointBatch& point) const {
+    if (point.impulse.of[lane_] == 0) return;
+    point.impulse.of[lane_] = 0;
+    for (Lanes* const friction : friction_) friction->of[lane_] = 0;
+  }
+
   void meet_here(PointBatch& point) const {
     if (point.separation.of[lane_] <= 0) return;
     point.approach.of[lane_] = speed_now(point);
@@ -132,6 +140,7 @@ class PointsOfLane {
   }
 
   std::span<PointBatch> points_;
+  Lanes* friction_[3];
   unsigned lane_;
   double acceleration_;
 };
@@ -174,7 +183,7 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
 
 void separate_bounces(ContactBatches& all, std::size_t begin, std::size_t end, double substep_s) {
   for (std::size_t k = begin; k < end; ++k) {
-    const ContactBatch& batch = all.batches[k];
+    ContactBatch& batch = all.batches[k];
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       if (batch.restitution.of[lane] > 0) PointsOfLane(all, batch, lane).separate_bounce(substep_s);
     }

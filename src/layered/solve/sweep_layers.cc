@@ -71,7 +71,7 @@ bool stir_bouncing(Scratch& scratch, const ContactBatches& all, std::span<const 
   for (const ImpactBatch& impact : all.impacts) {
     const ContactBatch& batch = all.batches[impact.batch];
     for (unsigned lane = 0; lane < batch.used; ++lane) {
-      if ((batch.bounces >> lane & 1U) == 0) continue;
+      if ((batch.bounces >> lane & 1U) == 0 || all.sides[impact.batch].visited[lane] == kNeverDue) continue;
       const Manifold& m = manifolds[all.order[batch.members + lane]];
       stir(m.a);
       stir(m.b);
