@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 #include <functional>
+#include <type_traits>
 
 namespace tumble::files {
 namespace {
@@ -15,7 +16,7 @@ constexpr int kPausesMax = 1000;  // a thread that was making a name when this p
 // Read by the handler of a signal, in whichever thread that runs.
 std::atomic<int> holders = 0;
 std::atomic<pid_t> ending = 0;  // the process whose names are being removed
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::is_same_v<pid_t, int>);
 
 // Another thread may write a row's name while one looks for its own; a number it may read meanwhile.
 std::size_t key_of(const std::string& name) { return std::hash<std::string>()(name); }

@@ -90,6 +90,7 @@ struct RandomContacts {
     batch.count = 1 + used % 5;
     batch.met = static_cast<std::uint8_t>((1U << used) - 1U);
     batch.bounces = static_cast<std::uint8_t>(batch.met & 0xdaU);  // the others are stopped, or hold
+    batch.fast = used % 2 == 0;
     batch.impact = static_cast<std::uint32_t>(impacts.size());
     impacts.emplace_back().batch = static_cast<std::uint32_t>(batches.size() - 1);
     points.resize(points.size() + batch.count, PointBatch{});
