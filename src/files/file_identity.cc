@@ -13,9 +13,11 @@ constexpr int kLinksMax = 40;  // as many as Linux follows
 
 }  // namespace
 
-std::optional<FileIdentity> identity_of(const fs::path& path) {
+std::optional<FileIdentity> identity_of(const fs::path& path) { return identity_of(path.c_str()); }
+
+std::optional<FileIdentity> identity_of(const char* path) {
   struct stat info = {};
-  if (::stat(path.c_str(), &info) != 0) return std::nullopt;
+  if (::stat(path, &info) != 0) return std::nullopt;
   return FileIdentity{info.st_dev, info.st_ino};
 }
 

@@ -17,6 +17,7 @@ struct FileIdentity {
 
 /// The identity of the file or folder that `path` leads to; none where there is none.
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path);
+std::optional<FileIdentity> identity_of(const char* path);  ///< allocates nothing
 
 /// The place that an output to `path` is written to: symbolic links are followed, also one that leads to no file yet.
 std::filesystem::path resolved(const std::filesystem::path& path);

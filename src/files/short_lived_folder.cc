@@ -20,6 +20,7 @@
 #include <system_error>
 
 #include "src/files/ending_names.h"
+#include "src/files/file_identity.h"
 #include "src/files/maker_in_name.h"
 
 namespace tumble::files {
@@ -108,10 +109,9 @@ bool make_locked(const std::string& pattern, std::string& name, int& lock) {
     name = pattern;
     if (::mkdtemp(name.data()) == nullptr) return false;
     lock = locked_folder(name.c_str());
-    struct stat locked = {};
-    struct stat named = {};
-    const bool are_there = lock >= 0 && ::fstat(lock, &locked) == 0 && ::stat(name.c_str(), &named) == 0;
-    if (are_there && locked.st_dev == named.st_dev && locked.st_ino == named.st_ino) return true;
+    struct stat info = {};
+    const bool is_ours = lock >= 0 && ::fstat(lock, &info) == 0;
+    if (is_ours && identity_of(name.c_str()) == FileIdentity{info.st_dev, info.st_ino}) return true;
     if (lock >= 0) ::close(lock);
   }
   errno = EAGAIN;

@@ -15,8 +15,8 @@ std::string make_short_lived_folder(const std::string& place, const std::string&
 void forget_short_lived_folder(const std::string& folder);
 
 /// Removes the folders that this process remembered and did not forget, with all that is in them; none of the process
-/// that forked this one. For the handler of a signal that ends the process, or its end: whoever makes a
-/// folder after that waits for ever.
+/// that forked this one. For the handler of a signal that ends the process, or its end: whoever makes
+/// a folder after that waits for ever.
 void remove_short_lived_folders();
 
 }  // namespace tumble::files

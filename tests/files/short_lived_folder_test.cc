@@ -35,19 +35,33 @@ void fill(const fs::path& folder) {
   std::ofstream(folder / "a" / "b" / ".hidden") << 1;
 }
 
-/// Runs `work` in a process of its own, which ends as after a signal.
+struct Ended {
+  pid_t process = 0;
+  int status = -1;
+};
+
+/// Runs `work` in a process of its own, to its end.
 template <class Work>
-void ended_after(Work work) {
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
+Ended in_child(Work work) {
+  Ended ended;
+  ended.process = ::fork();
+  EXPECT_GE(ended.process, 0);
+  if (ended.process == 0) {
     work();
-    remove_short_lived_folders();
     ::_exit(0);
   }
-  int status = -1;
-  EXPECT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_EQ(status, 0);
+  EXPECT_EQ(::waitpid(ended.process, &ended.status, 0), ended.process);
+  return ended;
+}
+
+/// Runs `work` in a process that then ends as after a signal.
+template <class Work>
+void ended_after(Work work) {
+  const Ended ended = in_child([&] {
+    work();
+    remove_short_lived_folders();
+  });
+  EXPECT_EQ(ended.status, 0);
 }
 
 TEST_F(ShortLivedFolder, IsRemovedWithAllThatIsInItAndNothingElse) {
@@ -79,19 +93,15 @@ TEST_F(ShortLivedFolder, AChildRemovesNoneOfItsParent) {
   forget_short_lived_folder(folder.string());
 }
 
-/// Runs `work` in a process of its own that ends as one does that was killed: nothing is removed.
+/// Runs `work` in a process that then ends as one does that was killed: nothing is removed.
 template <class Work>
 pid_t killed_after(Work work) {
-  const pid_t child = ::fork();
-  EXPECT_GE(child, 0);
-  if (child == 0) {
+  const Ended ended = in_child([&] {
     work();
     ::raise(SIGKILL);
-  }
-  int status = 0;
-  EXPECT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFSIGNALED(status));
-  return child;
+  });
+  EXPECT_TRUE(WIFSIGNALED(ended.status));
+  return ended.process;
 }
 
 TEST_F(ShortLivedFolder, WhatAKilledProcessLeftGoesWithTheNextFolder) {

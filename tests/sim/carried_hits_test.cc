@@ -37,7 +37,6 @@ void add(SceneDef& scene, double z, double velocity, double mass = 1) {
 }
 
 double speed(const World& world, std::size_t body) { return world.bodies().velocity[body].z(); }
-double height(const World& world, std::size_t body) { return world.bodies().position[body].z(); }
 
 std::string at(int substeps, double restitution, double offset) {
   return std::to_string(substeps) + " substeps, e " + std::to_string(restitution) + ", " + std::to_string(offset) +
@@ -110,8 +109,7 @@ TEST(CarriedHits, WhatFallsOnAStackBouncesAsOffTheGround) {
         EXPECT_GT(part, 0.8) << below << " below, " << at(substeps, e, 0);
         EXPECT_LT(part, 1.01) << below << " below, " << at(substeps, e, 0);
         for (std::size_t k = 0; k < below; ++k) {
-          const bool hopped = height(world, k) > 0.5 + static_cast<double>(k) + 0.0001;  // and comes down
-          EXPECT_GT(speed(world, k), hopped ? -0.1 : -0.03)
+          EXPECT_GT(speed(world, k), -0.03)
               << "driven into what bears it, " << below << " below, " << at(substeps, e, 0);
         }
       }

@@ -50,9 +50,10 @@ TEST(HuntAnswers, KnownFailuresAreFoundAndListed) {
   }
   EXPECT_EQ(broken.size(), scenes);
   std::istringstream lines(page);
+  const std::regex row("^\\| `[a-z]+_[0-9]+_[0-9]+` \\|");
   std::size_t rows = 0;
   for (std::string line; std::getline(lines, line);) {
-    rows += std::regex_search(line, std::regex("^\\| `[a-z]+_[0-9]+_[0-9]+` \\|")) ? 1U : 0U;
+    rows += std::regex_search(line, row) ? 1U : 0U;
   }
   EXPECT_EQ(rows, scenes) << "docs/hunting.md has a row of a scene that is not there, or has it twice";
 }

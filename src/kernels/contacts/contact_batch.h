@@ -76,13 +76,12 @@ struct ContactBatch {
   std::uint8_t met = 0, bounces = 0;   ///< a bit a lane: a point met fast enough to bounce; and restitution makes it
   std::uint8_t hard = 0;               ///< a bit a lane: the manifold belongs to a hard island (assign_levels)
   std::uint8_t turns = 0;              ///< a bit a lane: `renew` computes the responses of the manifold anew
-  std::uint8_t loose =
-      0;              ///< a bit a lane: the manifold touches nothing at rest, directly or by others; none of fast pairs
-  bool fast = false;  ///< of fast pairs, found anew in every substep
-  bool even = false;  ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
-  bool levers_turned = false;  ///< by the last `prepare` or `move_on`, in a lane
-  std::uint32_t impact = 0;    ///< where one has met, its number among the ImpactBatches
-  Lanes point_count;           ///< of each manifold
+  std::uint8_t loose = 0;              ///< a bit a lane: of layers, touches nothing at rest, directly or by others
+  bool fast = false;                   ///< of fast pairs, found anew in every substep
+  bool even = false;                   ///< all its bodies turn alike about every axis and are lent nothing (`prepare`)
+  bool levers_turned = false;          ///< by the last `prepare` or `move_on`, in a lane
+  std::uint32_t impact = 0;            ///< where one has met, its number among the ImpactBatches
+  Lanes point_count;                   ///< of each manifold
   Lanes n[3], t1[3], t2[3];
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic
   // Levers, m, as they will be in the middle of the next substep. Like p and q of the points and the centre of friction

@@ -211,15 +211,13 @@ class Filling {
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
     const bool a_falls = moves(bodies_, m.a), b_falls = moves(bodies_, m.b);
     batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
-    const bool loose = is_loose(m);
-    const bool keeps_all = !loose && !layers_.of_fast_pairs && m.layer >= layers_.hard_from;
+    const bool loose = !batch.fast && is_loose(m), keeps_all = !batch.fast && !loose && m.layer >= layers_.hard_from;
     batch.passes_on.of[lane] = keeps_all ? std::numeric_limits<double>::max() : kBorneWeights * (fall_ * lighter);
     if (loose) batch.loose = static_cast<std::uint8_t>(batch.loose | 1U << lane);
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
   // Whether bodies meet that touch nothing at rest, so that a substep may begin with what they bear and no more.
   [[nodiscard]] bool is_loose(const Manifold& m) const {
-    if (layers_.of_fast_pairs) return false;
     return m.layer + 1 == layers_.hard_from || m.layer + 1 == layers_.count();
   }
   double mass_of(BodyIndex i) const { return moves(bodies_, i) ? bodies_.mass[i] : std::numeric_limits<double>::max(); }

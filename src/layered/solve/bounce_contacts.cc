@@ -22,8 +22,7 @@ void add_bounced(const Scratch& scratch, Hasher& hasher) {
 // As store_contacts does for layers, of the last substep.
 void keep_borne_of_fast_pairs(Scratch& scratch, double fall) {
   FastContacts& fast = scratch.fast;
-  if (fast.none()) return;
-  keep_borne_of_fast(scratch, fall);
+  if (fast.none() || !keep_borne_of_fast(scratch, fall)) return;
   remember_contacts(fast.found.manifolds, fast.found.points, nullptr, {}, scratch.workers, fast.memory);
 }
 

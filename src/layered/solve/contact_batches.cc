@@ -168,17 +168,21 @@ void store_fast_contacts(Scratch& scratch) {
   });
 }
 
-void keep_borne_of_fast(Scratch& scratch, double fall) {
+bool keep_borne_of_fast(Scratch& scratch, double fall) {
   FastContacts& fast = scratch.fast;
+  std::uint8_t any = 0;
   for_ranges(scratch.workers, fast.found.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = fast.found.manifolds[k];
       const ContactLane contact = contact_at(scratch, fast.batches, fast.batches.place[k]);
       const std::span<ManifoldPoint> points = points_of(fast.found, m);
       // What brakes goes on as it is: with half, towers that fall as one throw their top back.
-      if (contact.bounced) keep_borne(contact, 0, weight_of(scratch, m, fall), m, points);
+      if (!contact.bounced) continue;
+      keep_borne(contact, 0, weight_of(scratch, m, fall), m, points);
+      mark(any);
     }
   });
+  return any != 0;
 }
 
 ContactWork all_contacts(Scratch& scratch, double substep_s) {

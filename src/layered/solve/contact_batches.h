@@ -23,8 +23,8 @@ void store_contacts(Scratch& scratch, Hasher* hasher, double fall);
 void add_stored_contacts(const Scratch& scratch, std::size_t begin, std::size_t end, GatheredNumbers& numbers);
 void store_fast_contacts(Scratch& scratch);
 /// Takes from the contacts of fast pairs that bounced in the last substep, or were taken along, what threw the bodies:
-/// they keep four weights of the lighter one at most.
-void keep_borne_of_fast(Scratch& scratch, double fall);
+/// they keep four weights of the lighter one at most. Returns whether there is such a contact.
+bool keep_borne_of_fast(Scratch& scratch, double fall);
 void add_stored_fast_contacts(const FastContacts& fast, GatheredNumbers& numbers);
 
 /// The direction of a sweep through the layers: kUp starts at the ground.
