@@ -149,12 +149,8 @@ void join(Scratch& scratch, unsigned parts) {
     begin = end;
   }
   scratch.manifold_homes.settle(ranges, begin, parts, *scratch.workers);
-  // Nobody knows which worker finds how much in the next step. Memory that is not written takes none of the machine's.
-  for (ManifoldList& list : lists) {
-    reserve_anew(list.manifolds, scratch.manifolds.size());
-    reserve_anew(list.points, scratch.manifold_points.size());
-    list.fast_pairs.reserve(scratch.fast.pairs.size());
-  }
+  make_room(lists, scratch.manifolds.size(), scratch.manifold_points.size());
+  for (ManifoldList& list : lists) list.fast_pairs.reserve(scratch.fast.pairs.size());
 }
 
 void add_fast_pairs(const Scratch& scratch, Hasher& hasher) {

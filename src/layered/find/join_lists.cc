@@ -5,6 +5,10 @@
 namespace tumble::sim {
 namespace {
 
+// Of a pair, at most: a manifold for each axis of two boxes. On a face 12 corners of three tied faces, 4 of its own and
+// 24 crossings of edges; one point for two edges.
+constexpr std::size_t kPairManifolds = 15, kPairPoints = 6 * (12 + 4 + 24) + 9;
+
 void copy_piece(const ManifoldPiece& piece, const ManifoldList& list, Manifold* manifolds, ManifoldPoint* points,
                 std::size_t points_before) {
   for (std::size_t k = piece.begin.manifolds; k < piece.end.manifolds; ++k) {
@@ -35,6 +39,14 @@ void join_lists(std::span<const ManifoldPiece> pieces, std::span<const ManifoldL
       points_before += piece.end.points - piece.begin.points;
     }
   });
+}
+
+void make_room(std::span<ManifoldList> lists, std::size_t manifolds, std::size_t points) {
+  for (ManifoldList& list : lists) {
+    list.clear();
+    reserve_anew(list.manifolds, manifolds + kPairManifolds);
+    reserve_anew(list.points, points + kPairPoints);
+  }
 }
 
 }  // namespace tumble::sim

@@ -174,10 +174,7 @@ void find_manifolds_of(const WorldState& state, Scratch& scratch, double substep
   });
   if (parts > 1) {
     join_lists(pieces, std::span(lists).first(parts), scratch.workers, fast.found.manifolds, fast.found.points);
-    for (ManifoldList& list : std::span(lists).first(parts)) {  // as find_manifolds does
-      reserve_anew(list.manifolds, fast.found.manifolds.size());
-      reserve_anew(list.points, fast.found.points.size());
-    }
+    make_room(std::span(lists).first(parts), fast.found.manifolds.size(), fast.found.points.size());
   }
 }
 
