@@ -65,6 +65,7 @@ class Cones {
     const V terms = terms_of(m);
     for (unsigned k = 0; k < m.batch->count; ++k) {
       reach_ = larger(reach_, where_pressed(k, larger(magnitude(p(k)), magnitude(q(k)))));
+      viscous_[k] = V{};
     }
     most_ = pressure.most * terms;
   }
@@ -146,7 +147,7 @@ class Cones {
   static constexpr double kStill = 1e150;  // s/m: how long a point that stands still takes for a metre
 
   V reach_ = V{}, most_ = V{}, work_ = V{}, shortest_ = V{};  // shortest_: s/m, of the fastest point
-  V slip1_[kPointsMax], slip2_[kPointsMax], per_speed_[kPointsMax], viscous_[kPointsMax] = {};
+  V slip1_[kPointsMax], slip2_[kPointsMax], per_speed_[kPointsMax], viscous_[kPointsMax];
 };
 
 // Of all frictions that the points can give, each within its cone, the one that leaves the slip with the least energy
