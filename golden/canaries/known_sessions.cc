@@ -97,22 +97,45 @@ sim::SceneDef heap_of_plates() {
   return scene;
 }
 
-// The heap, taken with and without somebody who looks.
-CanaryResult watch_heap() {
-  CanaryResult result = {"", false, "as known", "suite"};
-  const sim::SceneDef scene = heap_of_plates();
+// Two towers with gaps, which fall into themselves without a bounce, each in its own time: while some layers and
+// contacts are solved, nothing is left to solve in others. How many layers are told is due to push_contacts and
+// relax_contacts alone.
+sim::SceneDef settling_towers() {
+  sim::SceneDef scene;
+  scene.world.method = sim::Method::kLayered;
+  scene.steps = 20;
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    sim::BoxDef& box = scene.boxes.emplace_back();
+    box.id = k + 1;
+    const auto tower = static_cast<double>(k / 6), floor = static_cast<double>(k % 6), gap = 1e-4 * (1 + tower);
+    box.position = {3 * tower, 0, 0.5 + gap + (1 + gap) * floor};
+  }
+  return scene;
+}
+
+// Takes the scene with and without somebody who looks. differs: a step in which that moves a bit.
+std::uint64_t told_layers(const sim::SceneDef& scene, std::string& differs) {
   Result<sim::World> plain = sim::create_world(scene), watched = sim::create_world(scene);
   Watcher watcher;
   for (std::uint64_t k = 0; plain.ok() && watched.ok() && k < scene.steps; ++k) {
     watched->mutable_scratch().layers = &watcher;
     const auto one = sim::step(*plain), other = sim::step(*watched);
-    if (!one.ok() || !other.ok() || *one != *other || plain->state() != watched->state()) {
-      result.message = "step " + std::to_string(k + 1) + " differs";
-      return result;
-    }
+    if (one.ok() && other.ok() && *one == *other && plain->state() == watched->state()) continue;
+    differs = "step " + std::to_string(k + 1) + " differs;";
+    break;
   }
-  result.caught = watcher.layers == 21169;
-  if (!result.caught) result.message = "told of " + std::to_string(watcher.layers) + " layers";
+  return watcher.layers;
+}
+
+CanaryResult watch_layers() {
+  CanaryResult result = {"", false, "as known", "suite"};
+  std::string differs;
+  const std::uint64_t in_heap = told_layers(heap_of_plates(), differs);
+  const std::uint64_t in_towers = told_layers(settling_towers(), differs);
+  result.caught = differs.empty() && in_heap > 0 && in_towers == 4789;
+  if (!result.caught) {
+    result.message = differs + " told of " + std::to_string(in_heap) + " and " + std::to_string(in_towers) + " layers";
+  }
   return result;
 }
 
@@ -223,7 +246,7 @@ void run_known_sessions(CanaryRoll& roll) {
   roll.ask("a session a millimetre off is not within bounds", judge_pair);
   roll.known("the box test gives the same bits in every width of lanes", box_tests_by_width);
   roll.known("no zero of a state is negative", negative_zeros, "0 0 ");
-  roll.ask("a session that is watched has the same bits", watch_heap);
+  roll.ask("a session that is watched has the same bits", watch_layers);
 }
 
 }  // namespace tumble::golden
