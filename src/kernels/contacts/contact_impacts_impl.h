@@ -108,15 +108,15 @@ void end_whole_impact(const ContactWork& work, ImpactBatch& impact, unsigned at)
 
 // The part of a visit's impulses with which a bounce gives back e² of the absorbed energy, where all of them would make
 // it give back more. Newton's law of restitution alone adds energy where friction, or the step, turns the body during
-// the impact (Stronge 1990). before: the impulses of the points; pushed: the motion with all that the visit gives.
+// the impact (Stronge 1990). before: the sums of the impulses; pushed: the motion with all that the visit gives.
 template <class V, template <class> class B>
 V part_of_bounce(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion,
-                 const NormalMotion<V>& pushed, const V* before, const PointSums<V>& given) {
+                 const NormalMotion<V>& pushed, const PointSums<V>& before, const PointSums<V>& given) {
   const NormalMotion<V> now = normal_motion(m, motion);
   const ImpactBatch& impact = work.impacts[m.batch->impact];
   const V e = m.get(m.batch->restitution), zero = V{}, one = zero + 1.0;
   const NormalMotion<V> gain = pushed - now, twice = motion_before(m, impact) + now;
-  const PointSums<V> got = add_up(m, before) - sums_before(m, impact);
+  const PointSums<V> got = before - sums_before(m, impact);
   // The bounce gives square t² + linear t + its work before this visit, for part t.
   const V square = 0.5 * dot(given, gain), linear = 0.5 * (dot(given, twice) + dot(got, gain));
   const V left =

@@ -11,7 +11,7 @@ namespace tumble::sim {
 namespace {
 
 constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
-constexpr int kInnerRestitution = 12;  // one visit a step; an impulse that falls short loses energy
+constexpr int kInnerRestitution = 12;  // in the first turn of a bounce; hard islands get no other one
 constexpr double kPushMax = 1;         // m/s
 
 template <class V, template <class> class B>
@@ -70,14 +70,17 @@ V wanted_impulse(const Manifolds<V, B>& m, const PointBatch& point, V speed) {
 }
 
 template <Sweep kSweep, class V, template <class> class B>
-Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
+Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion, V pressure,
+                        [[maybe_unused]] int passes = kInner) {
   V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
   const V magic = m.get(m.batch->impulse_magic), impulse_max = m.get(m.batch->impulse_max), zero = V{};
   V r[6];
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
   V unwanted[kPointsMax], changes[kPointsMax], before[kSweep == Sweep::kRestitution ? kPointsMax : 1];
+  PointSums<V> begun = {};  // of the impulses before
   if constexpr (kSweep == Sweep::kRestitution) {
     for (unsigned k = 0; k < m.batch->count; ++k) before[k] = m.get(m.points[k].impulse);
+    begun = sums_of_impulses(m);
   }
   if (kSweep == Sweep::kPart && !m.batch->hard) {
     for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = m.get(m.points[k].load);  // begin_parting
@@ -85,8 +88,8 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
     for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(work, m, m.points[k]);
   }
   V total_s = zero, total_sq = zero, total_sp = zero;
-  constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
-  for (int pass = 0; pass < kPasses; ++pass) {
+  const int last = kSweep == Sweep::kRestitution ? passes : kInner;  // a constant where it can be
+  for (int pass = 0; pass < last; ++pass) {
     PointSums<V> sums = {};
     for (unsigned k = 0; k < m.batch->count; ++k) {
       PointBatch& point = m.points[k];
@@ -113,7 +116,7 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V, B>& m, const
   }
   if constexpr (kSweep == Sweep::kRestitution) {
     const PointSums<V> given = {total_s, total_sq, total_sp};
-    const V part = part_of_bounce(work, m, motion, {u, w1, w2}, before, given);
+    const V part = part_of_bounce(work, m, motion, {u, w1, w2}, begun, given);
     for (unsigned k = 0; k < m.batch->count; ++k) {
       m.set(m.points[k].impulse, before[k] + part * (m.get(m.points[k].impulse) - before[k]));
     }
@@ -149,15 +152,23 @@ auto met_fast(const Manifolds<V, B>& m) {
   return fastest <= least;
 }
 
-// A bounce: its push presses the faces together once more, so friction takes its part of that too. Lanes that do not
+// A bounce: its push presses the faces together once more, so friction takes its part of that too. From the second turn
+// on friction has had its part of all but the push of the turn before, as in a visit that holds. Lanes that do not
 // bounce do the same work, for what a lane does must not depend on the others.
 template <class V, template <class> class B>
 Wrench<V> bounce(const ContactWork& work, const Manifolds<V, B>& m, const Motion<V>& motion, V pressure) {
-  const Wrench<V> push = solve_normals<Sweep::kRestitution>(work, m, motion, pressure);
-  const Motion<V> pushed = after(m, motion, push);
+  const bool again = work.visit.bounces && work.visit.sweep > 0;
+  const int passes = again ? kInner : kInnerRestitution;
+  Wrench<V> push = {};
+  Motion<V> pushed = motion;
+  if (!again) {
+    push = solve_normals<Sweep::kRestitution>(work, m, motion, pressure, passes);
+    pushed = after(m, motion, push);
+  }
   const Pressure<V> now = pressure_of(m);
   const Wrench<V> friction = solve_friction(m, pushed, now, met_fast(m));
-  return (push + friction) + solve_normals<Sweep::kRestitution>(work, m, after(m, pushed, friction), now.sum);
+  const Motion<V> rubbed = after(m, pushed, friction);
+  return (push + friction) + solve_normals<Sweep::kRestitution>(work, m, rubbed, now.sum, passes);
 }
 
 template <Sweep kSweep, class V, template <class> class B = Body>
@@ -182,12 +193,16 @@ void solve_sweep(const ContactWork& work, ContactBatch& batch, unsigned at, Swee
   solve_manifolds<Sweep::kPart, V, B>(work, batch, at);
 }
 
+// Apart, so that the usual sweeps stay small.
+template <class V>
+[[gnu::flatten, gnu::noinline]] void solve_bounces(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
+}
+
 template <class V>
 void solve(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep sweep) {
-  if (sweep != Sweep::kRestitution) {
-    return batch.even ? solve_sweep<V, EvenBody>(work, batch, at, sweep) : solve_sweep<V, Body>(work, batch, at, sweep);
-  }
-  solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
+  if (sweep == Sweep::kRestitution) return solve_bounces<V>(work, batch, at);
+  return batch.even ? solve_sweep<V, EvenBody>(work, batch, at, sweep) : solve_sweep<V, Body>(work, batch, at, sweep);
 }
 
 // The speeds that kPart wants stay as they are from sweep to sweep. Hard batches are hashed with all their columns.

@@ -7,6 +7,7 @@ namespace tumble::sim {
 
 Status push_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
   sweep_layers(scratch, Sweep::kPush, Direction::kDown, substep_s);
+  end_fast_push(scratch, substep_s);
   return {};
 }
 

@@ -28,6 +28,10 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more);
 /// Applies the impulses that the contacts already have.
 void warm_start_layers(Scratch& scratch, double substep_s);
 
+/// Goes on with the push where what bounces in a fast pair touches anything else: else that would go on into it until
+/// the bounce takes it along.
+void end_fast_push(Scratch& scratch, double substep_s);
+
 /// Make the contacts of fast pairs bounce, and those of layers. First the push is ended. Then what bounces and what it
 /// touches, directly or by others, are solved by turns, so that all of it is taken along. The former returns whether
 /// bodies of fast pairs touch anything else.
