@@ -107,7 +107,8 @@ sim::SceneDef settling_towers() {
   for (std::uint64_t k = 0; k < 12; ++k) {
     sim::BoxDef& box = scene.boxes.emplace_back();
     box.id = k + 1;
-    const auto tower = static_cast<double>(k / 6), floor = static_cast<double>(k % 6), gap = 1e-4 * (1 + tower);
+    const std::uint64_t of_six = k / 6;
+    const auto tower = static_cast<double>(of_six), floor = static_cast<double>(k % 6), gap = 1e-4 * (1 + tower);
     box.position = {3 * tower, 0, 0.5 + gap + (1 + gap) * floor};
   }
   return scene;
