@@ -107,9 +107,9 @@ sim::SceneDef settling_towers() {
   for (std::uint64_t k = 0; k < 12; ++k) {
     sim::BoxDef& box = scene.boxes.emplace_back();
     box.id = k + 1;
-    const std::uint64_t of_six = k / 6;
-    const auto tower = static_cast<double>(of_six), floor = static_cast<double>(k % 6), gap = 1e-4 * (1 + tower);
-    box.position = {3 * tower, 0, 0.5 + gap + (1 + gap) * floor};
+    const std::uint64_t tower = k / 6, floor = k % 6;
+    const double gap = tower == 0 ? 1e-4 : 2e-4;
+    box.position = {3 * static_cast<double>(tower), 0, 0.5 + gap + (1 + gap) * static_cast<double>(floor)};
   }
   return scene;
 }

@@ -37,6 +37,13 @@ void add(SceneDef& scene, double z, double velocity, double mass = 1) {
   scene.boxes.push_back(body);
 }
 
+// Two cubes that fall as one.
+SceneDef falling_pair(int substeps, double restitution, double offset) {
+  SceneDef scene = floor_of(substeps, restitution);
+  for (const double z : {2.0, 3.0}) add(scene, z + offset, -kFall);
+  return scene;
+}
+
 double speed(const World& world, std::size_t body) { return world.bodies().velocity[body].z(); }
 
 std::string at(int substeps, double restitution, double offset) {
@@ -49,9 +56,7 @@ TEST(CarriedHits, TwoCubesBounceAsOne) {
   for (const int substeps : kSubsteps) {
     for (const double e : {0.2, 0.5, 1.0}) {
       for (const double offset : kOffsets) {
-        SceneDef scene = floor_of(substeps, e);
-        for (const double z : {2.0, 3.0}) add(scene, z + offset, -kFall);
-        const World world = after_steps(scene, 22);
+        const World world = after_steps(falling_pair(substeps, e, offset), 22);
         for (const std::size_t body : {0U, 1U}) {
           EXPECT_NEAR(speed(world, body), e * kFall, 0.002) << at(substeps, e, offset);
         }
@@ -65,9 +70,7 @@ TEST(CarriedHits, WhatLiesOnTopStaysOnTop) {
   for (const int substeps : kSubsteps) {
     for (const double e : {0.2, 0.5, 1.0}) {
       for (const double offset : kOffsets) {
-        SceneDef scene = floor_of(substeps, e);
-        for (const double z : {2.0, 3.0}) add(scene, z + offset, -kFall);
-        World world = made(scene);
+        World world = made(falling_pair(substeps, e, offset));
         double deepest = 0;
         for (int k = 0; k < 24; ++k) {
           advance(world);

@@ -11,7 +11,7 @@ namespace tumble::sim {
 namespace {
 
 constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
-constexpr int kInnerRestitution = 12;  // in the first turn of a bounce; hard islands get no other one
+constexpr int kInnerRestitution = 12;  // in the first turn of a bounce; of layers hard islands get no other
 constexpr double kPushMax = 1;         // m/s
 
 template <class V, template <class> class B>
