@@ -51,7 +51,7 @@ struct MeasureOptions {
   BodyChoice bodies = {};
   LateralAxis lateral = LateralAxis::kX;  ///< the axis along which no body should move
   std::uint64_t from_step = 0;            ///< the state after this step replaces the start
-  std::uint32_t overlap_every = 16;       ///< steps between two measurements of overlap; 0 measures the end only
+  std::uint32_t overlap_every = 1;        ///< steps between two measurements of overlap; 0 measures the end only
 };
 
 }  // namespace tumble::replay

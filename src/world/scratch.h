@@ -138,6 +138,8 @@ struct FastBody {
   bool waits = false;    ///< has met a body within this substep from which it bounces
   double parting = 0;    ///< m/s, the least speed at which it parts from what presses it; negative: it closes
   double flown_s = 0;    ///< of this substep, before its contacts are solved
+  double work_most = 0;  ///< J, of its contacts as their push is ended
+  std::int64_t given = 0, taken = 0;  ///< by them, in parts of work_most
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   Quat orientation;
 };

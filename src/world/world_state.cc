@@ -63,7 +63,7 @@ std::uint32_t method_version(Method method) {
     case Method::kThesis:
       return 7;
     case Method::kLayered:
-      return 20;
+      return 21;
   }
   return 0;
 }

@@ -77,6 +77,7 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_methods_18_layered",
                            "format_1.3_methods_19_layered",
                            "format_1.3_methods_20_layered",
+                           "format_1.3_methods_21_layered",
                            "format_1.3_hashes_7_thesis",
                            "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_8_thesis",
@@ -122,7 +123,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_20_layered"}) {
+  for (const char* name : {"format_1.3_hashes_9_thesis", "format_1.3_methods_21_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }

@@ -55,7 +55,7 @@ inline void try_all(Method method, const std::vector<Field>& fields) {
   SceneDef scene = test::tumble_of_boxes(3, 5);
   scene.world.method = method;
   World world = test::made(scene);
-  for (int k = 0; k < 60; ++k) test::advance(world);
+  for (int k = 0; k < 40; ++k) test::advance(world);
   Changer changer(fields);
   test::advance(world, &changer);
   changer.expect_all_tried();

@@ -225,9 +225,9 @@ auto doubtful(const Manifolds<V, B>& m, const Friction<V>& stop, V coefficient, 
 // Friction within the cones of the points, from the one that would stop slip and spin. A contact that has slipped in
 // this substep keeps the dynamic coefficient until the substep ends; otherwise it would stick and slip by turns from
 // sweep to sweep. A single point gives no twist; a force that counts on one would push along the slip.
-template <class V, template <class> class B>
+template <class V, template <class> class B, class Mask>
 Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure, Friction<V> stop,
-                          FrictionMatrix<V> inverse) {
+                          FrictionMatrix<V> inverse, Mask rubs) {
   constexpr double kSurely = 0.25, kEven = 0.75;
   const V radius = m.get(m.batch->radius), zero = V{}, one = zero + 1.0;
   const auto flat = radius > 0.0;
@@ -245,7 +245,8 @@ Friction<V> within_limits(const Manifolds<V, B>& m, const Pressure<V>& pressure,
   const V coefficient = m.get(m.batch->sliding) == one ? m.get(m.batch->friction_dynamic) : m.get(m.batch->friction);
   const V arm = flat ? radius : one, limit = coefficient * pressure.sum * (flat ? arm * kSurely : one);
   const V force = (stop.force1 * stop.force1 + stop.force2 * stop.force2) * (arm * arm);
-  auto asked = (force + stop.twist * stop.twist > limit * limit) | (flat & (pressure.most > kEven * pressure.sum));
+  auto asked =
+      rubs & ((force + stop.twist * stop.twist > limit * limit) | (flat & (pressure.most > kEven * pressure.sum)));
   if (!any(asked)) return stop;
   const V most = coefficient * pressure.sum, wanted = stop.force1 * stop.force1 + stop.force2 * stop.force2;
   const auto pressed = pressure.most > 0.0;
@@ -272,7 +273,7 @@ Wrench<V> solve_friction(const Manifolds<V, B>& m, const Motion<V>& motion, cons
   const Friction<V> missing = inverse.times(slip_of(m, motion));
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
   const Friction<V> wanted = {before1 - missing.force1, before2 - missing.force2, twist_before - missing.twist};
-  Friction<V> now = within_limits(m, pressure, wanted, inverse);
+  Friction<V> now = within_limits(m, pressure, wanted, inverse, rubs);
   now = {rubs ? now.force1 : before1, rubs ? now.force2 : before2, rubs ? now.twist : twist_before};
   const V d1 = now.force1 - before1, d2 = now.force2 - before2;
   m.set(batch.force1, now.force1);

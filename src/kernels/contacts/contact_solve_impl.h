@@ -11,8 +11,9 @@ namespace tumble::sim {
 namespace {
 
 constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
-constexpr int kInnerRestitution = 12;  // in the first turn of a bounce; of layers hard islands get no other
+constexpr int kInnerRestitution = 12;  // in the first turn of a bounce
 constexpr double kPushMax = 1;         // m/s
+constexpr double kGivenWay = 0.1;      // of the normals' sum; where less is lost, the next visit cuts friction
 
 template <class V, template <class> class B>
 Pressure<V> pressure_of(const Manifolds<V, B>& m) {
@@ -171,6 +172,18 @@ Wrench<V> bounce(const ContactWork& work, const Manifolds<V, B>& m, const Motion
   return (push + friction) + solve_normals<Sweep::kRestitution>(work, m, rubbed, now.sum, passes);
 }
 
+// Where the normals have given way, friction that they bore is more than its cone allows now: a body that lands would
+// be kicked along the ground as the push of its landing ends.
+template <class V, template <class> class B, class Mask>
+[[gnu::noinline]] Wrench<V> let_go(const Manifolds<V, B>& m, const Motion<V>& motion, Mask gave_way) {
+  const ContactBatch& batch = *m.batch;
+  const Pressure<V> now = pressure_of(m);
+  const V coefficient = m.get(batch.sliding) == 1.0 ? m.get(batch.friction_dynamic) : m.get(batch.friction);
+  const V most = (coefficient * now.sum) / (1 - kGivenWay), force1 = m.get(batch.force1), force2 = m.get(batch.force2);
+  const auto too_much = gave_way & (force1 * force1 + force2 * force2 > most * most);
+  return any(too_much) ? solve_friction(m, motion, now, too_much) : Wrench<V>{};
+}
+
 template <Sweep kSweep, class V, template <class> class B = Body>
 void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V, B> m(work, batch, at);
@@ -182,7 +195,10 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
     write_outcomes(work, m, bounce(work, m, motion, pressure.sum));
   } else {
     const Wrench<V> friction = solve_friction(m, motion, pressure, V{} == V{});
-    write_outcomes(work, m, friction + solve_normals<kSweep>(work, m, after(m, motion, friction), pressure.sum));
+    Wrench<V> all = friction + solve_normals<kSweep>(work, m, after(m, motion, friction), pressure.sum);
+    const auto gave_way = dot(all.force, m.n) < -kGivenWay * pressure.sum;
+    if (any(gave_way)) all = all + let_go(m, after(m, motion, all), gave_way);
+    write_outcomes(work, m, all);
   }
 }
 

@@ -107,10 +107,42 @@ double FreePaths::wait(const Flyer& a, const Flyer& b, const BestAxes& apart) co
   return longest;
 }
 
+// Whether all corners of `other` are farther from a face of `body` in the end than the nearest is now. n: the face's
+// normal, which turns with the body. As the face sees them, corners go straight but for what turns bend their ways, and
+// the least distance of points that go straight is concave in time.
+bool FreePaths::leaves(const Flyer& other, const Flyer& body, const Vec3& n) const {
+  const Vec3 offset = other.frame.position - body.frame.position;
+  const Vec3 velocity = (other.velocity - body.velocity) - cross(body.spin, offset), spin = other.spin - body.spin;
+  double closer = 0;  // m, of the nearest corner in the end, beside the nearest of now, by turns
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& axis = other.frame.axes[k];
+    const double now = dot(axis, n), turned = now + dt_ * dot(cross(spin, axis), n);
+    closer += other.frame.half_extent[k] * (std::fabs(turned) - std::fabs(now));
+  }
+  const double turning = length(body.spin), others = length(other.spin);
+  const double bent =
+      turning * (turning * (length(offset) + other.radius) + 2 * (length(velocity) + others * other.radius)) +
+      others * (others * other.radius);
+  const double fall = std::min(0.0, dot(Vec3(other.gain - body.gain), n));
+  return dt_ * (dot(velocity, n) + 0.5 * fall) - closer - 0.5 * (dt_ * dt_) * bent > 0;
+}
+
+// Of two bodies that touch now.
+Approach::Kind FreePaths::touching_or_parting(const Flyer& a, const Flyer& b, const BestAxes& apart) const {
+  bool part = a.row == kGround && leaves(b, a, {0, 0, 1});
+  for (int axis = 0; axis < 6; ++axis) {
+    if ((apart.axes >> axis & 1U) == 0) continue;
+    const Vec3 n = normal_along(a.frame, b.frame, b.frame.position - a.frame.position, axis);
+    part |= axis < 3 ? leaves(b, a, n) : leaves(a, b, Vec3(-n));
+  }
+  return part ? Approach::Kind::kNear : Approach::Kind::kTouching;
+}
+
 // Moves both bodies as far as they surely do not touch; true: that was all, and `end` is what becomes of them.
 bool FreePaths::go_on(Course& course, const BestAxes& apart, Approach& end) const {
   if (apart.separation <= kTouchingSkin) {
-    end = {course.advances > 0 ? Approach::Kind::kMeeting : Approach::Kind::kTouching, course.time};
+    end = {course.advances > 0 ? Approach::Kind::kMeeting : touching_or_parting(course.a, course.b, apart),
+           course.time};
     return true;
   }
   course.nearest = std::min(course.nearest, apart.separation);
@@ -175,7 +207,8 @@ std::size_t FreePaths::leave_undecided(std::span<const Query> queries, const Que
     const Query& of = queries[k];
     const double separation = tests.all.separation[k];
     if (separation <= kTouchingSkin) {
-      *of.approach = {Approach::Kind::kTouching, 0};
+      const BestAxes apart = {static_cast<AxisSet>(tests.all.axes[k]), separation};
+      *of.approach = {touching_or_parting(flyer(of.a), flyer(of.b), apart), 0};
     } else if (separation > way_most(of.a, of.b)) {
       *of.approach = {separation <= of.margin ? Approach::Kind::kNear : Approach::Kind::kPassing, 0};
     } else {

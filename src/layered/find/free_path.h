@@ -45,6 +45,8 @@ class FreePaths {
   [[nodiscard]] Course course(BodyIndex a, BodyIndex b, double margin) const;
   void advance(Flyer& flyer, double time_s, double by_s) const;
   [[nodiscard]] double wait(const Flyer& a, const Flyer& b, const BestAxes& apart) const;
+  [[nodiscard]] bool leaves(const Flyer& other, const Flyer& body, const Vec3& n) const;
+  [[nodiscard]] Approach::Kind touching_or_parting(const Flyer& a, const Flyer& b, const BestAxes& apart) const;
   [[nodiscard]] bool go_on(Course& course, const BestAxes& apart, Approach& end) const;
   std::size_t leave_undecided(std::span<const Query> queries, const Query** undecided) const;
   void follow_undecided(std::span<const Query* const> queries) const;

@@ -14,9 +14,10 @@ constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a 
 constexpr int kSweepsMax = 10;
 constexpr std::uint32_t kFewestLayers = 2;  // of a body that touches what is at rest, and of one that touches nothing
 constexpr std::uint8_t kHitSweeps = 2;      // else a column that lands goes on into the ground for a substep
-constexpr std::uint8_t kHitSweepsMax = 8;   // leave half a percent of a hit in a corner, four leave seven
-constexpr int kLevelsPerHitSweep = 2;       // a column of 16 that lands gains half the energy that it gains with five
-constexpr int kHardSweeps = 20;             // a bar that is pressed at one end turns and passes little on
+constexpr int kHitOnOneSweeps = 4;  // of what falls on one body that lies: two halve what is left, six throw it up
+constexpr std::uint8_t kHitSweepsMax = 8;  // leave half a percent of a hit in a corner, four leave seven
+constexpr int kLevelsPerHitSweep = 2;      // a column of 16 that lands gains half the energy that it gains with five
+constexpr int kHardSweeps = 20;            // a bar that is pressed at one end turns and passes little on
 
 // Two bodies bounce as one to half a percent with 8 turns of a bounce, and with 32 one that has ten times its mass on
 // top to five. Columns of 16 that bounced as one would sway for more than ten seconds.
@@ -54,7 +55,7 @@ int sweeps_for(std::uint32_t layers, bool hard, std::uint8_t hit) {
   if (hard) return kHardSweeps;
   const int levels = static_cast<int>(layers - 1) / 2, usual = std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
   if (hit == kNotHit) return usual;
-  const int for_hit = 1 + levels / kLevelsPerHitSweep;
+  const int for_hit = levels == 1 ? kHitOnOneSweeps : 1 + levels / kLevelsPerHitSweep;
   return std::max(usual, hit == kSharedHit ? kHitSweepsMax : std::min<int>(kHitSweepsMax, for_hit));
 }
 

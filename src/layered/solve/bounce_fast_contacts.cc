@@ -24,11 +24,11 @@ void put_back(Scratch& scratch) {
 
 }  // namespace
 
-Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
+Status bounce_fast_contacts(WorldState& state, Scratch& scratch, double substep_s) {
   scratch.visits.bounces = scratch.visits.now;
   if (scratch.fast.none()) return {};
   put_back(scratch);
-  scratch.fast.takes_along = bounce_fast_layer(scratch, substep_s);
+  scratch.fast.takes_along = bounce_fast_layer(state.bodies, scratch, substep_s);
   mark_pressed(scratch);
   store_fast_contacts(scratch);
   const ManifoldList& found = scratch.fast.found;

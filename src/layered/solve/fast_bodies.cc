@@ -1,6 +1,7 @@
 #include "src/layered/solve/fast_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -66,8 +67,11 @@ FastBody* body_of(FastContacts& fast, std::uint32_t row) {
 
 Vec3 vector_of(const Lanes (&of)[3], unsigned lane) { return {of[0].of[lane], of[1].of[lane], of[2].of[lane]}; }
 
-// How fast the points of a contact part, m/s, the slowest; negative where one closes. Null: a body that stands still.
-double parting_of(const ContactBatches& all, const Pressing& contact, const SolverBody* a, const SolverBody* b) {
+// Calls visit(point, speed) for the points of a contact, with the speed at which they part, m/s. Null: a body that
+// stands still.
+template <class Visit>
+void for_points(const ContactBatches& all, const Pressing& contact, const SolverBody* a, const SolverBody* b,
+                Visit visit) {
   const ContactBatch& batch = all.batches[contact.batch];
   const unsigned lane = contact.lane;
   const auto velocity = [](const SolverBody* of) { return of == nullptr ? Vec3(Vec3::Zero()) : of->velocity; };
@@ -75,21 +79,31 @@ double parting_of(const ContactBatches& all, const Pressing& contact, const Solv
   const Vec3 u = (velocity(b) - velocity(a)) - cross(spin(a), vector_of(batch.d, lane)), w = spin(b) - spin(a);
   const double un = dot(u, vector_of(batch.n, lane));
   const double w1 = dot(w, vector_of(batch.t1, lane)), w2 = dot(w, vector_of(batch.t2, lane));
-  double parting = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
     const PointBatch& point = all.points[k];
-    if (point.peak.of[lane] > 0) parting = std::min(parting, un + (w1 * point.q.of[lane] - w2 * point.p.of[lane]));
+    visit(point, un + (w1 * point.q.of[lane] - w2 * point.p.of[lane]));
   }
+}
+
+// How fast the points of a contact part, m/s, the slowest; negative where one closes.
+double parting_of(const ContactBatches& all, const Pressing& contact, const SolverBody* a, const SolverBody* b) {
+  double parting = std::numeric_limits<double>::infinity();
+  for_points(all, contact, a, b, [&](const PointBatch& point, double speed) {
+    if (point.peak.of[contact.lane] > 0) parting = std::min(parting, speed);
+  });
   return parting;
+}
+
+// Null for a body that stands still.
+const SolverBody* moving_body(const Bodies& bodies, const Scratch& scratch, std::uint32_t row) {
+  return row < bodies.size() && bodies.moves(row) ? &scratch.solver_bodies[row] : nullptr;
 }
 
 // A body that waits while one that presses it goes on would be run through. So it goes on too, where that leaves less
 // than half of the overlap: what is hit between two others may go into the one behind, if it goes on, and waits then.
 void leave_none_waiting_alone(const Bodies& bodies, Scratch& scratch, double substep_s) {
   FastContacts& fast = scratch.fast;
-  const auto moving = [&](std::uint32_t row) {
-    return row < bodies.size() && bodies.moves(row) ? &scratch.solver_bodies[row] : nullptr;
-  };
+  const auto moving = [&](std::uint32_t row) { return moving_body(bodies, scratch, row); };
   const auto waits = [&](std::uint32_t row) {
     return fast_body(scratch, row) != nullptr && shared::read(body_of(fast, row)->waits);
   };
@@ -191,6 +205,50 @@ void find_flying(const Bodies& bodies, Scratch& scratch, double substep_s) {
     }
   });
   if (any_waits != 0) leave_none_waiting_alone(bodies, scratch, substep_s);
+}
+
+void take_back_gifts(const Bodies& bodies, Scratch& scratch) {
+  FastContacts& fast = scratch.fast;
+  ContactBatches& all = fast.batches;
+  constexpr double kParts = 1 << 30;  // of the largest work at a body: whole numbers add up alike in any order
+  for_fast_bodies(scratch, [](FastBody& body) { body.work_most = 0, body.given = body.taken = 0; });
+  const auto absorbed = [&](const Pressing& contact) -> double& {
+    return all.impacts[all.batches[contact.batch].impact].absorbed.of[contact.lane];
+  };
+  // J that the contact has given the bodies; negative: taken.
+  const auto work_of = [&](const Pressing& contact) {
+    if (contact.bounces) return -absorbed(contact);
+    double work = 0;
+    for_points(all, contact, moving_body(bodies, scratch, contact.a), moving_body(bodies, scratch, contact.b),
+               [&](const PointBatch& point, double speed) {
+                 work += 0.5 * point.impulse.of[contact.lane] * (point.approach.of[contact.lane] + speed);
+               });
+    return std::max(0.0, work);
+  };
+  for_pressing(scratch, [&](const Pressing& contact) {
+    const double work = std::fabs(work_of(contact));
+    for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)})
+      if (body != nullptr) shared::raise(body->work_most, work);
+  });
+  for_pressing(scratch, [&](const Pressing& contact) {
+    const double work = work_of(contact);
+    if (work == 0) return;
+    for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)})
+      if (body != nullptr)
+        shared::add(work > 0 ? body->given : body->taken,
+                    std::int64_t{std::llround(std::fabs(work) / body->work_most * kParts)});
+  });
+  for_pressing(scratch, [&](const Pressing& contact) {
+    if (!contact.bounces) return;
+    double part = 1;
+    for (const FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
+      if (body == nullptr || body->given == 0) continue;
+      part = std::min(part, body->taken <= body->given
+                                ? 0.0
+                                : 1 - static_cast<double>(body->given) / static_cast<double>(body->taken));
+    }
+    if (part < 1) absorbed(contact) *= part;
+  });
 }
 
 void release_untouched(WorldState& state, Scratch& scratch) {

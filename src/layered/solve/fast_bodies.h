@@ -19,6 +19,10 @@ void mark_pressed(Scratch& scratch);
 /// met, so that they bounce as they were turned when they were hit. What is driven on by a body that goes on does not.
 void find_flying(const Bodies& bodies, Scratch& scratch, double substep_s);
 
+/// Where what parts is pressed anew, since something else drives a body back into it, that gives the bodies energy as
+/// the push is ended: lets what bounces off these bodies give back so much less. Needs what impacts have taken.
+void take_back_gifts(const Bodies& bodies, Scratch& scratch);
+
 /// Bodies, pairs or contacts of fast pairs that a part must have for a split to pay.
 inline constexpr std::size_t kFastAPart = 128;
 

@@ -198,9 +198,10 @@ Touching touching_points(const Bodies& bodies, const ManifoldList& found, const 
   const double un = dot(u, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
   Touching touching;
   for (const ManifoldPoint& point : points_of(found, m)) {
-    if (point.separation > kMet) continue;
+    const double speed = un + (w1 * point.q - w2 * point.p);
+    if (point.separation > kMet || speed >= kFastBounceMin) continue;
     touching.any = true;
-    touching.bounces |= un + (w1 * point.q - w2 * point.p) <= -kFastBounceMin;
+    touching.bounces |= speed <= -kFastBounceMin;
   }
   return touching;
 }

@@ -9,6 +9,7 @@
 #include "src/layered/batch/share_sweeps.h"
 #include "src/layered/islands/sweep_counts.h"
 #include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/sweeper.h"
 
 namespace tumble::sim {
@@ -256,12 +257,13 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
   });
 }
 
-bool bounce_fast_layer(Scratch& scratch, double substep_s) {
+bool bounce_fast_layer(const Bodies& bodies, Scratch& scratch, double substep_s) {
   ContactBatches& fast = scratch.fast.batches;
   const std::span<const Manifold> manifolds = scratch.fast.found.manifolds;
   if (!stir_bouncing(scratch, fast, manifolds)) return false;
   leave_out_later(fast);
   take_turns(scratch, Sweep::kHold, kBounceTurnsMax, substep_s);  // the push has to be over
+  take_back_gifts(bodies, scratch);
   stir_bouncing(scratch, fast, manifolds);
   take_turns(scratch, Sweep::kRestitution, kBounceTurnsMax, substep_s);
   return fast_touch_layers(scratch);
@@ -288,9 +290,7 @@ void bounce_layers(Scratch& scratch, double dt_s) {
       bool moved = true;
       for (int turn = 0; moved && turn < kBounceTurnsMax; ++turn) {
         sweeper.begin_turn(turn);
-        // In hard islands, many would throw out what is light between heavy bodies.
-        moved = sweep_groups(scratch, sweeper, all, sweep, turn, Direction::kUp,
-                             [&](const SweepGroup& group) { return turn == 0 || !group.hard; });
+        moved = sweep_groups(scratch, sweeper, all, sweep, turn, Direction::kUp, [](auto& /*all*/) { return true; });
       }
       if (sweep == Sweep::kHold) impacts.end_layers(sweeper);
     });

@@ -35,7 +35,7 @@ void end_fast_push(Scratch& scratch, double substep_s);
 /// Make the contacts of fast pairs bounce, and those of layers. First the push is ended. Then what bounces and what it
 /// touches, directly or by others, are solved by turns, so that all of it is taken along. The former returns whether
 /// bodies of fast pairs touch anything else.
-bool bounce_fast_layer(Scratch& scratch, double substep_s);
+bool bounce_fast_layer(const Bodies& bodies, Scratch& scratch, double substep_s);
 void bounce_layers(Scratch& scratch, double dt_s);
 
 }  // namespace tumble::sim
