@@ -193,7 +193,8 @@ Exit run_safely(const std::function<Exit()>& run) {
     const Exit exit = run();
     std::cout.flush();
     if (!std::cout && reader_is_gone()) end_by_pipe();
-    if (!std::cout) return fail("tumble", "standard output could not be written (full disk?)", Exit::kCannotFinish);
+    if (!std::cout)
+      return fail("tumble", "standard output could not be written (closed, or its disk is full)", Exit::kCannotFinish);
     return exit;
   } catch (const std::bad_alloc&) {
     return fail("tumble", "out of memory", Exit::kCannotFinish);

@@ -85,19 +85,56 @@ Status check_request(const NewCase& options) {
 /// The scene of a log as the file of a case.
 Result<std::string> scene_text(const NewCase& options, const replay::LogReader& log) {
   const replay::LogHeader& header = log.header();
+  if (header.goes_on) {
+    return bad_input(options.log + ": goes on from step " + std::to_string(header.goes_on->step) + " of " +
+                     printable(header.goes_on->log) +
+                     ", and a case starts with its scene; make the case of a session recorded from the scene's start");
+  }
   if (header.scene_text.empty()) {
     return bad_input(options.log + ": holds no scene text, so no scene.toml can be made of it");
   }
   return rewrite_scene(header.scene_text, options.log, options.name, header.overrides);
 }
 
+/// The first input that the log applied and its scene does not have, as "dt before step 1"; empty: none.
+Result<std::string> input_beside_scene(replay::LogReader& log) {
+  const std::vector<sim::TimedCommand>& planned = log.header().scene.inputs;
+  for (std::uint64_t k = log.first_state() + 1; k <= log.last_step(); ++k) {
+    const Result<const replay::StepRecord*> step = log.read_hashes(k);
+    if (!step.ok()) return step.error();
+    for (const sim::Command& input : (*step)->inputs) {
+      if (std::ranges::find(planned, sim::TimedCommand{k, input}) != planned.end()) continue;
+      return std::string(sim::name_of(input)) + " before step " + std::to_string(k);
+    }
+  }
+  return std::string();
+}
+
+/// Why a session is not the one that its scene text makes, where the log tells, and what to do.
+Result<std::string> why_not_of_scene(replay::LogReader& log) {
+  const replay::LogHeader& header = log.header();
+  if (!header.transform.identity()) {
+    return "its scene was transformed when it was recorded (" + to_string(header.transform) +
+           "), which a scene file cannot say; make the case of a session recorded without";
+  }
+  const Result<std::string> input = input_beside_scene(log);
+  if (!input.ok()) return input.error();
+  if (!input->empty()) {
+    return "it has inputs that its scene does not have, made while it ran (live, or --realtime; the first: " + *input +
+           "); write them into the scene as [[input]] and record that";
+  }
+  return std::string("record it with this build first");
+}
+
 Status must_be_the_same(replay::LogReader& recorded, replay::LogReader& again, const std::string& path) {
   Result<replay::DiffReport> diff = replay::diff_logs(recorded, again);
   if (!diff.ok()) return diff.error();
   if (diff->identical() && diff->from == 0) return {};
-  const std::string where = diff->first ? replay::describe(*diff->first) : diff->unequal("the session", "this build's");
-  return bad_input(path + ": this build does not reproduce the session from its scene: " + where +
-                   "; record it with this build first");
+  const Result<std::string> why = why_not_of_scene(recorded);
+  if (!why.ok()) return why.error();
+  std::string where = diff->first ? replay::describe(*diff->first) : diff->unequal("the session", "this build's");
+  if (!where.empty()) where.insert(0, ": ");
+  return bad_input(path + ": this build does not reproduce the session from its scene" + where + "; " + *why);
 }
 
 }  // namespace
@@ -113,8 +150,12 @@ Result<BlessReport> bless_log(const NewCase& options) {
   const Result<std::string> text = scene_text(options, *recorded);
   if (!text.ok()) return text.error();
   const CaseFolder folder{options.name, options.suite / "cases" / options.name};
-  const Result<sim::SceneDef> scene = scenes::parse_scene(*text, folder.file(kSceneFile).string());
-  if (!scene.ok()) return scene.error();
+  const Result<sim::SceneDef> scene = scenes::parse_scene(*text, kSceneFile);
+  if (!scene.ok()) {
+    return Error{scene.error().kind, options.log +
+                                         ": no case can be made of the scene that it holds, with its overrides: " +
+                                         scene.error().message + "; change the scene and record it again"};
+  }
 
   const Result<Session> session = run_session(*scene, *text);
   if (!session.ok()) return session.error();

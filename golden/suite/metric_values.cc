@@ -140,9 +140,14 @@ Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyS
   if (!choices_.ok()) return choices_.error();
   if (!others_read_.ok()) return others_read_.error();
   std::vector<replay::Metrics> metrics;
-  for (replay::Measurer& measurer : measurers_) {
-    const Result<replay::Metrics> measured = measurer.finish(last);
-    if (!measured.ok()) return measured.error();
+  for (std::size_t k = 0; k < measurers_.size(); ++k) {
+    const Result<replay::Metrics> measured = measurers_[k].finish(last);
+    if (!measured.ok()) {
+      const auto first = static_cast<std::size_t>(std::ranges::find(of_rule_, k) - of_rule_.begin());
+      const MetricRule& rule = rules_.metrics[first];
+      return Error{measured.error().kind,
+                   "metrics.toml:" + std::to_string(rule.line) + ": " + rule.name + ": " + measured.error().message};
+    }
     if (Status ok = replay::check_measured(*measured); !ok.ok()) return ok.error();
     metrics.push_back(*measured);
   }

@@ -141,6 +141,10 @@ Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection
   if (selection.names.empty()) chosen = suite.cases;
   if (!selection.category.empty()) {
     std::erase_if(chosen, [&](const CaseFolder& folder) { return !is_in_category(folder, selection.category); });
+    if (chosen.empty() && !selection.names.empty()) {
+      return bad_input("found no case of category " + in_quotes(selection.category) + " among those named: " +
+                       joined(selection.names, ", ") + "; without names every case of the category is chosen");
+    }
     if (chosen.empty()) {
       return bad_input("found no case of category " + in_quotes(selection.category) + " in " +
                        (suite.root / "cases").string() + "; 'category' in a case's scene.toml names it");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "replay/blame/answer_of_write.h"
+#include "replay/blame/chain_end.h"
 #include "replay/blame/contact_making.h"
 #include "replay/blame/origin.h"
 #include "replay/blame/question.h"
@@ -26,13 +27,17 @@ struct Cursor {
   std::size_t field = 0;
   std::size_t before_write = kEndOfStep;  ///< in the account of the step
   bool began = false;                     ///< where the greater part of the value came from, not its last change
+
+  [[nodiscard]] ValueOfBody value() const { return {body, field}; }
 };
 
 /// Follows one value back.
 class Chain {
  public:
   Chain(LogReader& log, const BlameQuestion& question, const Progress& progress)
-      : steps_(log, progress), question_(question), method_(log.header().scene.world.method) {}
+      : steps_(log, progress ? watched(progress) : progress),
+        question_(question),
+        method_(log.header().scene.world.method) {}
 
   Result<Blame> run() {
     if (question_.field.empty()) {
@@ -57,7 +62,7 @@ class Chain {
       Result<std::optional<Cursor>> next = explain(cursor);
       if (!next.ok()) {
         // What was found stands; only the first answer must not fail.
-        if (blame_.answers.empty()) return next.error();
+        if (blame_.answers.empty() || stopped_) return next.error();
         blame_.ends = next.error().message;
         blame_.damaged = next.error().kind == ErrorKind::kDamaged;
         return blame_;
@@ -71,7 +76,17 @@ class Chain {
 
  private:
   LogReader& log() { return steps_.log(); }
+  /// An interruption is no end of the chain.
+  Progress watched(const Progress& progress) {
+    return [this, progress](std::uint64_t done, std::uint64_t all) {
+      stopped_ = !progress(done, all);
+      return !stopped_;
+    };
+  }
   [[nodiscard]] bool wants_more() const { return blame_.answers.size() < question_.answers; }
+  static Result<std::optional<Cursor>> ended(const Status& ok) {
+    return ok.ok() ? Result<std::optional<Cursor>>(std::optional<Cursor>()) : ok.error();
+  }
 
   Result<const BodyAccount*> account(std::uint64_t k, sim::BodyId body) {
     const auto key = std::pair(k, body);
@@ -83,13 +98,15 @@ class Chain {
 
   /// Adds the answer or answers to a cursor; the next one, or none where the chain ends.
   Result<std::optional<Cursor>> explain(const Cursor& cursor) {
-    if (cursor.step == log().first_state()) return explain_start(cursor);
     Cursor at = cursor;
-    if (cursor.began) {
-      const Result<std::uint64_t> step = step_it_began(steps_, at.step, at.body, at.field);
-      if (!step.ok()) return step.error();
-      at.step = *step;
-      if (at.step == log().first_state()) return explain_start(at);
+    if (cursor.began && at.step > log().first_state()) {
+      const Result<StepFound> found = step_it_began(steps_, at.step, at.body, at.field);
+      if (!found.ok()) return found.error();
+      at.step = found->step;
+    }
+    if (at.step == log().first_state()) return ended(end_at_start(steps_, at.step, at.value(), blame_));
+    if (Status held = steps_.has_step(at.step); !held.ok()) {
+      return ended(end_at_lost_step(steps_, at.step, at.value(), held.error(), blame_));
     }
     Result<const BodyAccount*> found = account(at.step, at.body);
     if (!found.ok()) return found.error();
@@ -138,13 +155,19 @@ class Chain {
       add(making_of(own, *std::ranges::min_element(own.contacts, {}, &ContactFacts::approach), at.field, method_));
     }
     const double fall = own.gravity[static_cast<int>(at.field - kVelocity)] * own.dt;
-    const Result<std::uint64_t> step = step_before_fall(steps_, at.step, at.body, at.field, fall);
-    if (!step.ok()) return step.error();
-    if (*step < at.step) blame_.answers[answer].text += "; falling so since step " + std::to_string(*step + 1);
-    if (*step == log().first_state()) return std::optional(Cursor{*step, at.body, at.field});
-    Result<std::optional<Cursor>> before = before_step(*step, at.body, at.field);
-    if (!before.ok() || (*before)->before_write == 0 || *step == at.step) return before;
-    return std::optional(Cursor{*step, at.body, at.field});
+    const Result<StepFound> found = step_before_fall(steps_, at.step, at.body, at.field, fall);
+    if (!found.ok()) return found.error();
+    const std::uint64_t step = found->step;
+    if (step < at.step) {
+      const std::string since = std::to_string(step + 1);
+      blame_.answers[answer].text +=
+          found->lost ? "; falling so in step " + since + " and since; the log lacks step " + std::to_string(step)
+                      : "; falling so since step " + since;
+    }
+    if (step == log().first_state() || found->lost) return std::optional(Cursor{step, at.body, at.field});
+    Result<std::optional<Cursor>> before = before_step(step, at.body, at.field);
+    if (!before.ok() || (*before)->before_write == 0 || step == at.step) return before;
+    return std::optional(Cursor{step, at.body, at.field});
   }
 
   /// What a phase should have done to the body in the step asked about, and did not: that is in no value it wrote.
@@ -190,20 +213,8 @@ class Chain {
       }
     }
     const std::size_t field = largest_of(motion, kVelocity);
-    if (motion.of(field) == 0) return explain_rest({at.step, body, field, 0});
+    if (motion.of(field) == 0) return ended(end_at_rest(steps_, at.step, {body, field}, blame_));
     return before_step(at.step, body, field);
-  }
-
-  /// Both bodies of the contact that acted were at rest.
-  Result<std::optional<Cursor>> explain_rest(const Cursor& at) {
-    const Result<std::vector<sim::Command>> inputs = steps_.inputs(at.step);
-    if (!inputs.ok()) return inputs.error();
-    blame_.complete = true;
-    const sim::Command* input = input_on_all(*inputs);
-    if (input) blame_.answers.push_back(input_answer(log().header(), at.step, {at.body, at.field}, 0.0, 0.0, input));
-    blame_.ends = "both bodies of the contact were at rest";
-    blame_.ends += input ? ", and this input changed what it carries" : ": it carries what else acts on them";
-    return std::optional<Cursor>();
   }
 
   /// The value of a body at the start of a step, its inputs applied.
@@ -222,10 +233,10 @@ class Chain {
     const Result<std::optional<BodyMotion>> before = steps_.after(at.step - 1, at.body);
     if (!before.ok()) return before.error();
     const bool by_input = !before->has_value() || !same_value((*before)->of(at.field), own.start.of(at.field));
-    if (by_input) return explain_input(at, own, *before);
-    const Result<std::uint64_t> step = step_it_changed(steps_, at.step - 1, at.body, at.field);
-    if (!step.ok()) return step.error();
-    Result<std::optional<Cursor>> next = explain({*step, at.body, at.field, kEndOfStep, false});
+    if (by_input) return ended(end_at_inputs(steps_, at.step, at.value(), blame_));
+    const Result<StepFound> found = step_it_changed(steps_, at.step - 1, at.body, at.field);
+    if (!found.ok()) return found.error();
+    Result<std::optional<Cursor>> next = explain({found->step, at.body, at.field, kEndOfStep, false});
     if (next.ok() && at.step == question_.step) {
       add_broken_rules(own);
       add_reason_of_rest(own, at.field);
@@ -241,52 +252,12 @@ class Chain {
     add(making_of(own, *std::ranges::min_element(own.contacts, {}, &ContactFacts::approach), field, method_));
   }
 
-  Result<std::optional<Cursor>> explain_input(const Cursor& at, const BodyAccount& own,
-                                              const std::optional<BodyMotion>& before) {
-    const Result<std::vector<sim::Command>> inputs = steps_.inputs(at.step);
-    if (!inputs.ok()) return inputs.error();
-    const sim::Command* input = input_on(*inputs, at.body, at.field == kFrozenField);
-    std::optional<FieldValue> old;
-    if (before) old = before->of(at.field);
-    blame_.answers.push_back(
-        input_answer(log().header(), at.step, {at.body, at.field}, old, own.start.of(at.field), input));
-    blame_.complete = true;
-    blame_.ends = "an input set this value";
-    return std::optional<Cursor>();
-  }
-
-  Result<std::optional<Cursor>> explain_start(const Cursor& at) {
-    const Result<std::optional<BodyMotion>> motion = steps_.after(at.step, at.body);
-    if (!motion.ok()) return motion.error();
-    BlameAnswer answer;
-    answer.step = at.step;
-    answer.phase = "start";
-    answer.body = at.body;
-    answer.value = field_name(at.field);
-    answer.unit = unit_of_field(at.field);
-    answer.after = motion->has_value() ? (*motion)->of(at.field) : 0.0;
-    const LogHeader& header = log().header();
-    if (header.goes_on) {
-      const std::string before = printable(header.goes_on->log);
-      answer.text = "the state with which this log goes on from " + before;
-      blame_.ends = "what came before is in " + before + ": tumble blame " + shell_quoted(before) + " --body " +
-                    std::to_string(at.body) + " --field " + field_name(at.field) + " --step " +
-                    std::to_string(header.goes_on->step);
-    } else {
-      answer.text = "the scene starts with it";
-      answer.origin = body_place(header, at.body);
-      blame_.complete = true;
-      blame_.ends = "the scene sets this value";
-    }
-    blame_.answers.push_back(answer);
-    return std::optional<Cursor>();
-  }
-
   StepsAgain steps_;
   BlameQuestion question_;
   sim::Method method_;
   Blame blame_;
   bool rules_told_ = false;
+  bool stopped_ = false;
   std::map<std::pair<std::uint64_t, sim::BodyId>, BodyAccount> accounts_;  // of all answers so far
 };
 

@@ -27,6 +27,17 @@ std::optional<sim::BodyId> body_of(const sim::Command& input) {
   return std::nullopt;
 }
 
+BlameAnswer answer_about(std::uint64_t k, const char* phase, const ValueOfBody& value, const FieldValue& after) {
+  BlameAnswer answer;
+  answer.step = k;
+  answer.phase = phase;
+  answer.body = value.body;
+  answer.value = field_name(value.field);
+  answer.unit = unit_of_field(value.field);
+  answer.after = after;
+  return answer;
+}
+
 std::string_view trimmed(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t");
   return begin == std::string_view::npos ? std::string_view() : line.substr(begin);
@@ -94,26 +105,6 @@ std::optional<std::size_t> input_line(const LogHeader& header, std::size_t index
 
 }  // namespace
 
-const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyId body, bool frozen) {
-  const sim::Command* found = nullptr;
-  for (const sim::Command& input : inputs) {
-    const bool of_all = std::holds_alternative<sim::SetGravity>(input) || std::holds_alternative<sim::Remove>(input);
-    if (body_of(input) == body || (frozen && of_all)) found = &input;
-  }
-  return found;
-}
-
-const sim::Command* input_on_all(const std::vector<sim::Command>& inputs) {
-  const sim::Command* found = nullptr;
-  for (const sim::Command& input : inputs) {
-    if (std::holds_alternative<sim::SetGravity>(input) || std::holds_alternative<sim::SetDt>(input) ||
-        std::holds_alternative<sim::Remove>(input)) {
-      found = &input;
-    }
-  }
-  return found;
-}
-
 std::string describe_input(const sim::Command& input) {
   std::string text = sim::name_of(input);
   if (const std::optional<sim::BodyId> body = body_of(input)) text += " of body " + std::to_string(*body);
@@ -160,17 +151,28 @@ std::string body_place(const LogHeader& header, sim::BodyId body) {
 }
 
 BlameAnswer input_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value,
-                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command* input) {
-  BlameAnswer answer;
-  answer.step = k;
-  answer.phase = "inputs";
-  answer.body = value.body;
-  answer.value = field_name(value.field);
-  answer.unit = unit_of_field(value.field);
+                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command& input) {
+  BlameAnswer answer = answer_about(k, "inputs", value, after);
   answer.before = before;
-  answer.after = after;
-  answer.text = input != nullptr ? describe_input(*input) : "an input before this step";
-  if (input != nullptr) answer.origin = input_place(header, k, *input);
+  answer.text = describe_input(input);
+  answer.origin = input_place(header, k, input);
+  return answer;
+}
+
+BlameAnswer start_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value, const FieldValue& after) {
+  BlameAnswer answer = answer_about(k, "start", value, after);
+  if (header.goes_on) {
+    answer.text = "the state with which this log goes on from " + printable(header.goes_on->log);
+  } else {
+    answer.text = "the scene starts with it";
+    answer.origin = body_place(header, value.body);
+  }
+  return answer;
+}
+
+BlameAnswer lost_answer(std::uint64_t k, const ValueOfBody& value, const FieldValue& after) {
+  BlameAnswer answer = answer_about(k, "lost", value, after);
+  answer.text = "the log holds the value after this step, and has lost the step: what made the value is not there";
   return answer;
 }
 

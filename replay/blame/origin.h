@@ -12,14 +12,6 @@
 /// Where a value entered a session: an input, or a table of the scene.
 namespace tumble::replay {
 
-/// The last of these inputs that can have written a value of the body: its own throw, push, wake or set_velocity; for
-/// "frozen" also a removal or another gravity, which wake bodies. Null: none.
-const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyId body, bool frozen);
-
-/// The last of these inputs that changes what all contacts, or those of a removed body, have to carry: another gravity,
-/// another dt, a removal. Null: none.
-const sim::Command* input_on_all(const std::vector<sim::Command>& inputs);
-
 /// "push of body 7, impulse (4, 0, 0) N s".
 std::string describe_input(const sim::Command& input);
 
@@ -37,9 +29,14 @@ struct ValueOfBody {
   std::size_t field = 0;
 };
 
-/// The answer that an input before step k changed the value; `before`: none where there was no such value. `input` may
-/// be null: one that is not known.
+/// The answer that an input before step k changed the value; `before`: none where there was no such value.
 BlameAnswer input_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value,
-                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command* input);
+                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command& input);
+
+/// The answer that the log starts with the value, in state k.
+BlameAnswer start_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value, const FieldValue& after);
+
+/// The answer that the log holds the value after step k, but not the step.
+BlameAnswer lost_answer(std::uint64_t k, const ValueOfBody& value, const FieldValue& after);
 
 }  // namespace tumble::replay

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "replay/format/chain.h"
 #include "tumble/replay/divergence.h"
@@ -39,6 +40,17 @@ std::optional<BodyMotion> motion_in(const BodyStates& states, sim::BodyId body) 
   return motion_of(states, static_cast<std::size_t>(at - states.id.begin()));
 }
 
+bool same_value(const std::optional<double>& a, const std::optional<double>& b) {
+  return a.has_value() == b.has_value() && (!a || same_value(*a, *b));
+}
+
+// Whether an input that changed the value of a body left nothing of what was there before.
+bool sets_value(const sim::Command& input, std::size_t field) {
+  const bool of_velocity = quantity_of(field) == kVelocity || quantity_of(field) == kSpin;
+  return std::holds_alternative<sim::Throw>(input) || field == kFrozenField ||
+         (of_velocity && std::holds_alternative<sim::SetVelocity>(input));
+}
+
 Error other_step(const LogReader& log, std::uint64_t k, const Divergence& first) {
   const std::string step = std::to_string(k), before = std::to_string(k - 1);
   const bool any_before = k - 1 > log.first_state();
@@ -55,7 +67,7 @@ Error other_step(const LogReader& log, std::uint64_t k, const Divergence& first)
 
 StepsAgain::StepsAgain(LogReader& log, const Progress& progress) : log_(&log), states_(log), progress_(progress) {}
 
-Status StepsAgain::apply_inputs(sim::World& world) {
+Status StepsAgain::apply_inputs(sim::World& world, const AfterInput& after_input) {
   const std::uint64_t k = world.state().step + 1;
   const Result<const StepRecord*> logged = log_->read_hashes(k);
   if (!logged.ok()) return logged.error();
@@ -67,6 +79,7 @@ Status StepsAgain::apply_inputs(sim::World& world) {
       return cannot_finish(log_->name() + ": this build refuses the input \"" + sim::name_of(command) +
                            "\" before step " + std::to_string(k) + ": " + ok.error().message);
     }
+    if (after_input) after_input(command, world);
   }
   record_.dt = world.state().def.dt;
   return {};
@@ -152,7 +165,7 @@ Result<BodyAccount> StepsAgain::account(std::uint64_t k, sim::BodyId body) {
 Result<std::optional<BodyMotion>> StepsAgain::after(std::uint64_t k, sim::BodyId body) {
   const bool in_block = body == block_body_ && k >= block_from_ && k - block_from_ < block_.size();
   if (!in_block) {
-    const Result<const Keyframe*> keyframe = log_->keyframe_at_or_before(k);
+    const Result<const Keyframe*> keyframe = intact_keyframe(*log_, k);
     if (!keyframe.ok()) return keyframe.error();
     block_body_ = body;
     block_from_ = (*keyframe)->state.step;
@@ -177,6 +190,60 @@ Result<std::vector<sim::Command>> StepsAgain::inputs(std::uint64_t k) {
   const Result<const StepRecord*> logged = log_->read_hashes(k);
   if (!logged.ok()) return logged.error();
   return (*logged)->inputs;
+}
+
+Status StepsAgain::apply_again(std::uint64_t k, const std::function<void(const sim::World&)>& before,
+                               const AfterInput& after) {
+  if (Status ok = stand_before(k); !ok.ok()) return ok;
+  sim::World world = *before_;
+  before(world);
+  return apply_inputs(world, after);
+}
+
+Result<std::vector<InputChange>> StepsAgain::input_changes(std::uint64_t k, sim::BodyId body, std::size_t field) {
+  std::vector<InputChange> changes;
+  std::optional<double> value;
+  const auto value_in = [&](const sim::World& world) -> std::optional<double> {
+    const auto row = world.bodies().find(body);
+    return row ? std::optional(motion_of(world.bodies(), *row).of(field)) : std::nullopt;
+  };
+  const Status ok = apply_again(
+      k, [&](const sim::World& world) { value = value_in(world); },
+      [&](const sim::Command& input, const sim::World& world) {
+        const std::optional<double> now = value_in(world);
+        if (same_value(value, now)) return;
+        if (sets_value(input, field)) changes.clear();
+        changes.push_back({input, std::exchange(value, now), now});
+      });
+  if (!ok.ok()) return ok.error();
+  return changes;
+}
+
+Result<std::vector<sim::Command>> StepsAgain::load_changes(std::uint64_t k) {
+  std::vector<sim::Command> changes;
+  sim::Vec3 gravity;
+  double dt = 0;
+  const auto keep = [&](const sim::World& world) {
+    gravity = world.state().def.gravity;
+    dt = world.state().def.dt;
+  };
+  const Status ok = apply_again(k, keep, [&](const sim::Command& input, const sim::World& world) {
+    const bool other = !(gravity == world.state().def.gravity) || dt != world.state().def.dt;
+    if (other || std::holds_alternative<sim::Remove>(input)) changes.push_back(input);
+    keep(world);
+  });
+  if (!ok.ok()) return ok.error();
+  return changes;
+}
+
+Status StepsAgain::has_step(std::uint64_t k) {
+  if (k == log_->first_state()) return {};
+  if (const MissingSteps* lost = log_->lost_at(k); lost != nullptr) {
+    return damaged(log_->name() + ": found no step " + std::to_string(k) + ": " + to_string(*lost) +
+                   " were lost before the log was recovered");
+  }
+  const Result<const StepRecord*> logged = log_->read_hashes(k);
+  return logged.ok() ? Status() : logged.error();
 }
 
 }  // namespace tumble::replay

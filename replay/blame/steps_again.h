@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,13 @@
 #include "tumble/sim/world.h"
 
 namespace tumble::replay {
+
+/// An input that changed a value of a body.
+struct InputChange {
+  sim::Command input;
+  std::optional<double> before;  ///< none: there was no such body
+  std::optional<double> after;
+};
 
 /// Takes single steps of a log again, from the nearest keyframe before, and answers only of steps that this build takes
 /// as the log says: each step from the keyframe on is compared with the log's record.
@@ -39,11 +47,24 @@ class StepsAgain {
   /// The inputs that the log applied before step k.
   Result<std::vector<sim::Command>> inputs(std::uint64_t k);
 
+  /// The inputs before step k that changed a value of the body, in their order, from the last one on that sets it
+  /// whatever it was: a throw, a set_velocity. Errors: account()'s.
+  Result<std::vector<InputChange>> input_changes(std::uint64_t k, sim::BodyId body, std::size_t field);
+
+  /// The inputs before step k that can have changed what contacts carry: another gravity, another dt, a removal.
+  Result<std::vector<sim::Command>> load_changes(std::uint64_t k);
+
+  /// Success where the log holds step k, from which state k follows. Errors: the log lacks it (kDamaged), or the log's.
+  Status has_step(std::uint64_t k);
+
   [[nodiscard]] LogReader& log() { return *log_; }
 
  private:
   Status stand_before(std::uint64_t k);
-  Status apply_inputs(sim::World& world);
+  /// Called after each input, with the world that it made.
+  using AfterInput = std::function<void(const sim::Command&, const sim::World&)>;
+  Status apply_inputs(sim::World& world, const AfterInput& after_input = {});
+  Status apply_again(std::uint64_t k, const std::function<void(const sim::World&)>& before, const AfterInput& after);
   Status step_and_compare(sim::World& world, sim::Observer* also);
 
   LogReader* log_;

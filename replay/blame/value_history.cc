@@ -7,20 +7,19 @@ namespace {
 
 // The last step up to k before which differs(value then) holds, or there was no body.
 template <class Differs>
-Result<std::uint64_t> last_step(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
-                                Differs differs) {
-  const LogReader& log = steps.log();
-  const std::uint64_t from = k;
-  for (; k > log.first_state() && log.holds(k - 1); --k) {
+Result<StepFound> last_step(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field, Differs differs) {
+  for (; k > steps.log().first_state(); --k) {
+    const Status held = steps.has_step(k);  // state k may be a keyframe's, and the step itself lost
+    if (!held.ok() && held.error().kind == ErrorKind::kDamaged) return StepFound{k, true};
+    if (!held.ok()) return held.error();
     const Result<std::optional<BodyMotion>> before = steps.after(k - 1, body);
-    // Missing like one that is not held. The state after step k may be a keyframe's, and the step itself lost.
-    if (!before.ok() && before.error().kind == ErrorKind::kDamaged)
-      return k < from && !steps.inputs(k).ok() ? k + 1 : k;
     if (!before.ok()) return before.error();
-    if (!before->has_value() || differs((*before)->of(field))) return k;
+    if (!before->has_value() || differs((*before)->of(field))) return StepFound{k};
   }
-  return k;
+  return StepFound{k};
 }
+
+}  // namespace
 
 Result<double> value_after(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
   const Result<std::optional<BodyMotion>> now = steps.after(k, body);
@@ -28,15 +27,13 @@ Result<double> value_after(StepsAgain& steps, std::uint64_t k, sim::BodyId body,
   return now->has_value() ? (*now)->of(field) : 0.0;
 }
 
-}  // namespace
-
-Result<std::uint64_t> step_it_changed(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
+Result<StepFound> step_it_changed(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
   const Result<double> value = value_after(steps, k, body, field);
   if (!value.ok()) return value.error();
   return last_step(steps, k, body, field, [&](double then) { return !same_value(then, *value); });
 }
 
-Result<std::uint64_t> step_it_began(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
+Result<StepFound> step_it_began(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
   const Result<double> value = value_after(steps, k, body, field);
   if (!value.ok()) return value.error();
   if (*value == 0 || !std::isfinite(*value)) return step_it_changed(steps, k, body, field);
@@ -45,8 +42,8 @@ Result<std::uint64_t> step_it_began(StepsAgain& steps, std::uint64_t k, sim::Bod
                    [&](double then) { return !(std::fabs(then - *value) <= 0.5 * std::fabs(*value)); });
 }
 
-Result<std::uint64_t> step_before_fall(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
-                                       double fall) {
+Result<StepFound> step_before_fall(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
+                                   double fall) {
   Result<double> value = value_after(steps, k, body, field);
   if (!value.ok()) return value.error();
   double now = *value;

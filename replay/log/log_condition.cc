@@ -7,7 +7,7 @@ std::string LogCondition::summary(std::uint64_t last_step) const {
   std::string text;
   if (torn) {
     text = "complete up to byte " + std::to_string(torn_offset) + ", which is step " + std::to_string(last_step);
-    text = writer.empty() ? "torn: " + text + "; the rest was never written"
+    text = writer.empty() ? "torn: " + text + "; the rest was not written or was cut off"
                           : "is being written by " + writer + ": " + text + ", so far";
   }
   if (!damages.empty()) {

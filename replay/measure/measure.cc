@@ -7,6 +7,7 @@
 
 #include "replay/format/not_finite.h"
 #include "src/base/check.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -32,7 +33,8 @@ SeriesRow in_unit_of(const EngineAxes& axes, SeriesRow row) {
 }
 
 Measurer::Measurer(const LogHeader& header, const MeasureOptions& options)
-    : channels_(header.declared.channels), scene_(header.scene), options_(options) {
+    : channels_(header.declared.channels), scene_(header.scene), options_(options), watch_(options.bodies) {
+  for (const sim::BoxDef& box : scene_.boxes) watch_.add(box);
   shapes_.add(header.declared.bodies, header.declared.shapes);
   if (!header.engine) row_.removed = 0;  // no recorder of another engine tells what it dissipates
 }
@@ -41,6 +43,7 @@ void Measurer::add(const StepRecord& record) {
   if (meter_) meter_->describe(record.extras);
   if (!meter_) shapes_.add(record.extras.bodies, record.extras.shapes);
   for (const sim::Command& input : record.inputs) {
+    if (const auto* thrown = std::get_if<sim::Throw>(&input)) watch_.add(thrown->box);
     if (meter_) meter_->apply(input);
     if (!meter_) apply_before_start(input);
     if (meter_ && std::holds_alternative<sim::Throw>(input)) ++metrics_.bodies;
@@ -127,6 +130,10 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   if (bodies_seen_ == 0 && !options_.bodies.all()) {
     return bad_input("bodies: found none of \"" + to_string(options_.bodies) +
                      "\" that is not static, wanted some to measure");
+  }
+  if (const std::vector<std::string> missing = watch_.missing(); !missing.empty()) {
+    return bad_input("bodies: found no " + joined(missing, ", no ") + " in the session up to step " +
+                     std::to_string(metrics_.steps) + ", wanted bodies that it has");
   }
   metrics_.measured_steps = metrics_.steps - begin_;
   metrics_.measured_bodies = bodies_seen_;

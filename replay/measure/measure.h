@@ -113,7 +113,7 @@ class Measurer {
   [[nodiscard]] const SeriesRow& row() const;
 
   /// Call after the last step; `last` is its states. Errors (kBadInput): from_step was not reached; the choice of
-  /// bodies holds none, so nothing was measured.
+  /// bodies holds none, so nothing was measured, or names bodies that the session does not have at any time.
   Result<Metrics> finish(const BodyStates& last);
 
  private:
@@ -125,6 +125,7 @@ class Measurer {
   BodyTable shapes_;     // told before the start
   sim::SceneDef scene_;  // as it was at the last step before the start
   MeasureOptions options_;
+  ChoiceWatch watch_;
   std::optional<StateMeter> meter_;
   StateMeter::StartEnergy start_energy_;
   Metrics metrics_;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace tumble::replay {
 namespace {
@@ -44,12 +45,35 @@ std::vector<sim::BodyId> ids_of(const std::string& name, const BodyTable& named)
 
 }  // namespace
 
+bool BodyChoice::Ids::holds(const sim::BoxDef& box) const { return first <= box.id && box.id <= last; }
+
+bool BodyChoice::Table::holds(const sim::BoxDef& box) const {
+  return kind == box.origin.kind && (!index || *index == box.origin.table);
+}
+
 bool BodyChoice::holds(const sim::BoxDef& box) const {
-  const auto in_ids = [&](const Ids& range) { return range.first <= box.id && box.id <= range.last; };
-  const auto in_table = [&](const Table& table) {
-    return table.kind == box.origin.kind && (!table.index || *table.index == box.origin.table);
-  };
-  return all() || std::ranges::any_of(ids, in_ids) || std::ranges::any_of(tables, in_table);
+  const auto has_box = [&](const auto& part) { return part.holds(box); };
+  return all() || std::ranges::any_of(ids, has_box) || std::ranges::any_of(tables, has_box);
+}
+
+ChoiceWatch::ChoiceWatch(BodyChoice choice)
+    : choice_(std::move(choice)), ids_(choice_.ids.size()), tables_(choice_.tables.size()) {}
+
+void ChoiceWatch::add(const sim::BoxDef& box) {
+  for (std::size_t k = 0; k < ids_.size(); ++k) ids_[k] = ids_[k] || choice_.ids[k].holds(box);
+  for (std::size_t k = 0; k < tables_.size(); ++k) tables_[k] = tables_[k] || choice_.tables[k].holds(box);
+}
+
+std::vector<std::string> ChoiceWatch::missing() const {
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < ids_.size(); ++k) {
+    const bool one = choice_.ids[k].first == choice_.ids[k].last;
+    if (!ids_[k]) parts.push_back((one ? "body " : "bodies ") + to_string(BodyChoice{{choice_.ids[k]}, {}}));
+  }
+  for (std::size_t k = 0; k < tables_.size(); ++k) {
+    if (!tables_[k]) parts.push_back(to_string(BodyChoice{{}, {choice_.tables[k]}}));
+  }
+  return parts;
 }
 
 Result<BodyChoice> parse_bodies(const std::string& text) {

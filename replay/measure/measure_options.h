@@ -17,12 +17,14 @@ struct BodyChoice {
   struct Ids {
     sim::BodyId first;
     sim::BodyId last;
+    [[nodiscard]] bool holds(const sim::BoxDef& box) const;
     friend bool operator==(const Ids&, const Ids&) = default;
   };
   /// All bodies that one kind of scene table made, or only those of one table of that kind.
   struct Table {
     sim::Origin::Kind kind;
     std::optional<std::uint32_t> index;  ///< 0-based
+    [[nodiscard]] bool holds(const sim::BoxDef& box) const;
     friend bool operator==(const Table&, const Table&) = default;
   };
   std::vector<Ids> ids;
@@ -43,6 +45,20 @@ Result<BodyChoice> parse_bodies(const std::string& text, const BodyTable& named)
 /// The id of one body, as an id or a name says it.
 Result<sim::BodyId> parse_body(const std::string& text, const BodyTable& named);
 std::string to_string(const BodyChoice& choice);
+
+/// Finds the parts of a choice that no body belongs to.
+class ChoiceWatch {
+ public:
+  explicit ChoiceWatch(BodyChoice choice);
+  /// A body that is there at any time.
+  void add(const sim::BoxDef& box);
+  /// The parts without a body: "body 7777", "bodies 3-9", "tower:4". Empty: each has one.
+  [[nodiscard]] std::vector<std::string> missing() const;
+
+ private:
+  BodyChoice choice_;
+  std::vector<bool> ids_, tables_;  // whether a body belongs to it
+};
 
 enum class LateralAxis : std::uint8_t { kX = 0, kY = 1 };
 

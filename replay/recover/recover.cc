@@ -32,6 +32,7 @@ class Recovery {
     report_.end_known = left_.last_step.has_value();
     report_.damages = left_.damages;
     report_.lost_bytes = left_.lost_bytes;
+    report_.others = left_.others;
     report_.first_state = left_.chunks.front().first_step() - 1;
     report_.last_step = left_.chunks.back().end_step() - 1;
     find_missing();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "replay/recover/salvage.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_condition.h"
 #include "tumble/replay/step_record.h"
@@ -22,10 +23,14 @@ struct RecoverReport {
   bool end_known = false;  ///< index or footer state the last step of the session; if false, later steps may be lost
   bool header_lost = false;
   std::uint64_t lost_bytes = 0;  ///< bytes of the damaged file that were not saved
+  OtherParts others;             ///< of the file, which the new log lacks
   std::vector<Damage> damages;   ///< by offset
 
-  /// Whether the new log holds everything that was recorded.
-  [[nodiscard]] bool nothing_lost() const { return lost.empty() && end_known && !header_lost; }
+  /// Whether the new log holds everything that was recorded, of this session and of any other that the file has parts
+  /// of. Bytes that are part of no whole record may be left over.
+  [[nodiscard]] bool nothing_lost() const {
+    return lost.empty() && end_known && !header_lost && others.records == 0 && others.unfit_chunks == 0;
+  }
 };
 
 /// Writes a new log with all intact chunks of a damaged one. The stored bytes of each chunk are copied.

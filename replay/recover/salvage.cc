@@ -49,7 +49,8 @@ bool is_final(const Error& error) { return error.kind != ErrorKind::kDamaged; }
 /// 2. zstd frames between the records (salvage_frames.h). A frame has its own checksum, so a chunk survives the loss of
 ///    its prelude; what only the prelude held, the chain, is computed again from the chunk before.
 /// 3. The header decides which session is saved: a file may hold parts of several. Chunks of a session name their
-///    header by its tag, so the header with the most steps behind it wins.
+///    header by its tag. The header at the file's start wins if any chunk has its tag, else the one with the most
+///    steps.
 /// 4. choose_chunks() takes the set of candidates with the most steps that fits together.
 class Salvager {
  public:
@@ -82,16 +83,21 @@ class Salvager {
     result_.damages.push_back({RecordKind::kChunk, offset, std::move(message)});
   }
 
-  /// Chooses the header whose session has the most steps. Without an intact header, chooses the tag with the most
-  /// steps.
+  /// Chooses the header that the file begins with, else the one whose session has the most steps. Without an intact
+  /// header, chooses the tag with the most steps.
   Status find_header() {
     std::map<std::uint64_t, std::uint64_t> steps;  // by tag
     for (const Piece& piece : pieces_.records) {
       if (piece.prelude.kind == RecordKind::kChunk) steps[piece.prelude.log_tag] += piece.prelude.step_count + 1;
     }
+    for (const LooseFrame& frame : frames_) {
+      if (frame.offset != kPreludeBytes || !steps.contains(frame.stored_hash.low)) continue;
+      if (Status ok = take_loose_header(frame); !ok.ok() || result_.header) return ok;
+    }
     const Piece* best = nullptr;
     for (const Piece& piece : pieces_.records) {
       if (piece.prelude.kind != RecordKind::kHeader) continue;
+      if (piece.offset == 0 && steps.contains(piece.prelude.log_tag)) return take_header(piece);
       if (best == nullptr || steps[piece.prelude.log_tag] > steps[best->prelude.log_tag]) best = &piece;
     }
     if (best != nullptr) return take_header(*best);
@@ -229,16 +235,23 @@ class Salvager {
     const auto look = [&](const Piece& piece) {
       const Prelude& p = piece.prelude;
       const bool tells = p.kind == RecordKind::kIndex || p.kind == RecordKind::kFooter;
-      if (tells && p.log_tag == tag_ && p.first_step > 0) result_.last_step = p.first_step + p.step_count - 1;
+      if (!tells || p.log_tag != tag_ || p.first_step == 0) return;
+      const std::uint64_t last = p.first_step + p.step_count - 1;
+      // One that ends before the chunks do is of another session with an equal header.
+      const bool fits = result_.chunks.empty() || last + 1 >= result_.chunks.back().end_step();
+      if (fits) result_.last_step = std::max(last, result_.last_step.value_or(0));
     };
     for (const Piece& piece : pieces_.records) look(piece);
     for (const Piece& piece : pieces_.footers) look(piece);
   }
 
   void account() {
-    std::uint64_t kept = copies_ + pieces_.footers.size() * kFooterBytes;
+    if (tag_) result_.others = parts_of_others(pieces_, *tag_);
+    std::uint64_t kept = copies_;
+    for (const Piece& piece : pieces_.footers) kept += piece.prelude.log_tag == tag_ ? kFooterBytes : 0;
     for (const Piece& piece : pieces_.records) {
-      if (piece.prelude.kind != RecordKind::kChunk) kept += kPreludeBytes + piece.prelude.stored_bytes;
+      const bool own = piece.prelude.kind != RecordKind::kChunk && piece.prelude.log_tag == tag_;
+      if (own) kept += kPreludeBytes + piece.prelude.stored_bytes;
     }
     if (header_was_loose_) kept += kPreludeBytes + result_.header->prelude.stored_bytes;
     std::set<std::uint64_t> payloads;
@@ -252,13 +265,17 @@ class Salvager {
     }
     for (const SavedChunk& chunk : candidates_) {
       if (payloads.contains(chunk.payload)) continue;
-      note(chunk.payload, to_string(MissingSteps{chunk.first_step(), chunk.prelude.step_count}) +
-                              ": a whole chunk that does not fit the others");
+      const std::string steps = to_string(MissingSteps{chunk.first_step(), chunk.prelude.step_count});
+      const auto same = [&](const SavedChunk& saved) { return saved.prelude.stored_hash == chunk.prelude.stored_hash; };
+      if (std::ranges::any_of(result_.chunks, same)) {
+        note(chunk.payload, steps + ": is there a second time");
+        continue;
+      }
+      note(chunk.payload, steps + ": a whole chunk that does not fit the others");
+      ++result_.others.unfit_chunks;
+      result_.others.unfit_steps += chunk.prelude.step_count;
     }
-    for (const Scrap& scrap : pieces_.scraps) {
-      note(scrap.begin, std::to_string(scrap.end - scrap.begin) + " bytes from byte " + std::to_string(scrap.begin) +
-                            " on are part of no whole record");
-    }
+    for (const Scrap& scrap : pieces_.scraps) note(scrap.begin, scrap_text(source_, scrap));
     result_.lost_bytes = source_.size() - std::min(kept, source_.size());
     std::ranges::stable_sort(result_.damages, {}, &Damage::offset);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "replay/recover/salvage_choice.h"
+#include "replay/recover/salvage_pieces.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_condition.h"
 #include "tumble/replay/step_record.h"
@@ -25,12 +26,14 @@ struct Salvage {
   std::vector<SavedChunk> chunks;          ///< ascending; see choose_chunks()
   std::optional<std::uint64_t> last_step;  ///< of the session, if index or footer is intact
   std::uint64_t lost_bytes = 0;            ///< bytes of the file outside saved records and second copies
-  std::vector<Damage> damages;             ///< by offset: discarded records, and records saved despite damage
+  OtherParts others;
+  std::vector<Damage> damages;  ///< by offset: discarded records, and records saved despite damage
 };
 
 /// Searches a damaged file for intact parts: records at any offset and in any order, and zstd frames whose prelude was
 /// damaged. Decodes each chunk and compares its chain and its states with the hashes before saving it. In a file with
-/// several sessions, chooses a session with an intact header, and of these the one with the most steps.
+/// several sessions, chooses the one whose header stands at the file's start; where that has no chunk left, one with an
+/// intact header, and of these the one with the most steps.
 ///
 /// Errors. kBadInput: the log needs a newer program. kCannotFinish: reading fails, out of memory. A file without an
 /// intact chunk is no error.

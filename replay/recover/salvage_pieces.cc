@@ -1,7 +1,10 @@
 #include "replay/recover/salvage_pieces.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
 #include "replay/format/limits.h"
@@ -69,5 +72,36 @@ class PieceFinder {
 }  // namespace
 
 Pieces find_pieces(const ByteSource& source) { return PieceFinder(source).run(); }
+
+OtherParts parts_of_others(const Pieces& pieces, std::uint64_t tag) {
+  OtherParts others;
+  std::set<std::uint64_t> logs;
+  for (const std::vector<Piece>* list : {&pieces.records, &pieces.footers}) {
+    for (const Piece& piece : *list) {
+      if (piece.prelude.log_tag == tag) continue;
+      logs.insert(piece.prelude.log_tag);
+      ++others.records;
+      if (piece.prelude.kind == RecordKind::kChunk) others.steps += piece.prelude.step_count;
+    }
+  }
+  others.logs = logs.size();
+  return others;
+}
+
+std::string scrap_text(const ByteSource& source, const Scrap& scrap) {
+  const std::uint64_t length = scrap.end - scrap.begin;
+  const std::string text = std::to_string(length) + " bytes from byte " + std::to_string(scrap.begin) + " on are ";
+  std::array<std::byte, kPreludeBytes> bytes = {};
+  const auto start = std::span(bytes).first(std::min<std::uint64_t>(length, kPreludeBytes));
+  const bool cut = length >= kMagicEnd && scrap.end == source.size() && source.read(scrap.begin, start).ok() &&
+                   starts_like_log(start);
+  if (!cut) return text + "part of no whole record";
+  const Result<Prelude> prelude = decode_prelude(bytes);
+  const bool whole =
+      prelude.ok() && prelude->kind != RecordKind::kFooter && prelude->stored_bytes <= length - kPreludeBytes;
+  if (whole) return text + "part of no whole record";
+  return text + "the beginning of the " + name_of(prelude.ok() ? prelude->kind : RecordKind{}) +
+         " that stood there; the file lacks the rest of it";
+}
 
 }  // namespace tumble::replay

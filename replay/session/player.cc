@@ -36,9 +36,16 @@ Status must_be_ours(const LogReader& log) {
 Player::Player(LogReader& log, Session session)
     : log_(&log), session_(std::move(session)), hashes_(std::make_unique<sim::PhaseHashes>()) {}
 
+Result<const Keyframe*> intact_keyframe(LogReader& log, std::uint64_t k) {
+  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
+  const bool earlier =
+      !keyframe.ok() && keyframe.error().kind == ErrorKind::kDamaged && k > log.first_state() && log.holds(k);
+  return earlier ? log.keyframe_at_or_before(k - 1) : keyframe;
+}
+
 Result<Player> Player::at(LogReader& log, std::uint64_t k) {
   if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
-  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
+  Result<const Keyframe*> keyframe = intact_keyframe(log, k);
   if (!keyframe.ok()) return keyframe.error();
   Result<Session> session = Session::resume((*keyframe)->state);
   if (!session.ok()) return Error{session.error().kind, log.name() + ": " + session.error().message};

@@ -16,6 +16,10 @@ namespace tumble::replay {
 /// compute the steps.
 Status must_be_ours(const LogReader& log);
 
+/// The latest keyframe at or before state k that can be read: that of the chunk of step k where the chunk that begins
+/// behind it is damaged. Errors: LogReader::keyframe_at_or_before's.
+Result<const Keyframe*> intact_keyframe(LogReader& log, std::uint64_t k);
+
 /// Steps this build's physics with the inputs of a log, from one of its keyframes on.
 class Player {
  public:

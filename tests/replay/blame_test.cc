@@ -227,16 +227,86 @@ TEST(Blame, GoesBackToTheStepsThatARecoveredLogLacks) {
       ASSERT_TRUE(first.ok()) << first.error().message;
       EXPECT_EQ(first->answers.at(0).step, 13U) << story(*first);
       // Set before the gap.
-      const Result<Blame> lost = blame(*log, {1, "velocity.x", 20, 9});
-      EXPECT_FALSE(lost.ok());
+      const Result<Blame> lost = blame(*log, {1, "velocity.x", 20, 1});
+      ASSERT_TRUE(lost.ok()) << lost.error().message;
+      EXPECT_EQ(lost->answers.at(0).phase, "lost") << story(*lost);
+      EXPECT_EQ(lost->answers.at(0).step, 12U) << story(*lost);
+      EXPECT_EQ(lost->answers.at(0).after, FieldValue(lost->value));
+      EXPECT_FALSE(lost->complete);
+      EXPECT_TRUE(lost->damaged);
+      EXPECT_NE(story(*found).find("falling so in step 13 and since; the log lacks step 12"), std::string::npos)
+          << story(*found);
       ASSERT_FALSE(blame(*log, {1, "velocity.z", 9, 1}).ok());
+      const Result<Blame> last = blame(*log, {1, "velocity.z", 6, 1});  // before the damage
+      ASSERT_TRUE(last.ok()) << last.error().message;
+      EXPECT_EQ(last->answers.at(0).step, 6U) << story(*last);
     }
     Result<LogReader> log = open_memory(recovered->bytes);
     const Result<Blame> found = blame(*log, {1, "velocity.z", 20, 9});
     EXPECT_EQ(found->ends, "memory.tumble: found no step 12: steps 7 to 12 were lost before the log was recovered");
     ASSERT_EQ(found->notes.size(), 1U);
     EXPECT_NE(found->notes[0].find("steps 7 to 12 were lost"), std::string::npos) << found->notes[0];
-    EXPECT_EQ(blame(*log, {1, "velocity.x", 20, 9}).error().message, found->ends);
+    EXPECT_EQ(blame(*log, {1, "velocity.x", 20, 9})->ends, found->ends);
+  }
+}
+
+// Each of these inputs is of the step, and only some can have written the value.
+TEST(Blame, NamesTheInputsThatChangedTheValue) {
+  for (const Method method : kMethods) {
+    sim::SceneDef scene = floating(method, {}, 12);
+    sim::BoxDef asleep = test::cube(2, {9, 0, 5});
+    asleep.frozen = true;
+    scene.boxes.push_back(asleep);
+    scene.boxes.push_back(test::cube(3, {20, 0, 5}));
+    scene.inputs = {{10, sim::SetVelocity{1, {0, 1, 0}, {0, 0, 0}}},
+                    {10, sim::Push{1, {2, 0, 0}, true, {0, 0, 0}}},
+                    {10, sim::Wake{2}},
+                    {10, sim::Remove{3}}};
+    const auto texts = [&](sim::BodyId body, const char* field) {
+      const Blame found = blame_of(scene, {body, field, 10, 1});
+      EXPECT_EQ(found.answers.size(), 1U);
+      EXPECT_EQ(found.answers.at(0).phase, "inputs") << story(found);
+      EXPECT_TRUE(found.complete) << story(found);
+      return found.answers.at(0).text;
+    };
+    EXPECT_TRUE(texts(1, "velocity.x").starts_with("push of body 1"));
+    EXPECT_TRUE(texts(1, "velocity.y").starts_with("set_velocity of body 1"));
+    EXPECT_EQ(texts(2, "frozen"), "wake of body 2");
+  }
+}
+
+TEST(Blame, NamesEachOfSeveralInputsThatChangedAValue) {
+  const sim::Push first{1, {2, 0, 0}, true, {0, 0, 0}}, second{1, {3, 0, 0}, true, {0, 0, 0}};
+  const sim::SceneDef scene = floating(
+      Method::kLayered, {{4, first}, {4, sim::SetVelocity{1, {1, 0, 0}, {0, 0, 0}}}, {4, first}, {4, second}}, 6);
+  const Blame all = blame_of(scene, {1, "velocity.x", 4, 9});
+  ASSERT_EQ(all.answers.size(), 3U) << story(all);
+  EXPECT_NE(all.answers[0].text.find("impulse (3, 0, 0) N s; number 3 of the 3 inputs"), std::string::npos)
+      << story(all);
+  EXPECT_NE(all.answers[1].text.find("number 2 of the 3"), std::string::npos) << story(all);
+  EXPECT_TRUE(all.answers[2].text.starts_with("set_velocity")) << story(all);
+  EXPECT_EQ(all.answers[0].before, all.answers[1].after);
+  EXPECT_TRUE(all.complete);
+  const Blame one = blame_of(scene, {1, "velocity.x", 4, 1});
+  EXPECT_EQ(one.answers.at(0).text, all.answers[0].text);
+  EXPECT_FALSE(one.complete) << "others changed it before";
+}
+
+TEST(Blame, AnInterruptionIsNoEndOfTheChain) {
+  const sim::SceneDef scene = floating(Method::kLayered, {{4, sim::Push{1, {3, 0, 0}, true, {0, 0, 0}}}}, 40);
+  const Bytes bytes = record_to_memory(scene, {}, 6);
+  std::size_t calls = 0;
+  Result<LogReader> whole = open_memory(bytes);
+  ASSERT_TRUE(blame(*whole, {1, "position.x", 40, 9}, [&](std::uint64_t, std::uint64_t) { return ++calls > 0; }).ok());
+  ASSERT_GT(calls, 2U);
+  for (std::size_t stop = 1; stop <= calls; ++stop) {
+    Result<LogReader> log = open_memory(bytes);
+    std::size_t left = stop;
+    const Result<Blame> found =
+        blame(*log, {1, "position.x", 40, 9}, [&](std::uint64_t, std::uint64_t) { return --left > 0; });
+    ASSERT_FALSE(found.ok()) << "stopped at call " << stop;
+    EXPECT_EQ(found.error().kind, ErrorKind::kCannotFinish);
+    EXPECT_NE(found.error().message.find("interrupted"), std::string::npos) << found.error().message;
   }
 }
 

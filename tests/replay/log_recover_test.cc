@@ -151,6 +151,7 @@ TEST(Recover, ChunksOfAnotherLogAreLeftOut) {
   ASSERT_TRUE(recovered.ok()) << recovered.error().message;
   EXPECT_EQ(recovered->report.lost, Gaps{steps_of(2)});
   EXPECT_NE(recovered->report.damages.front().message.find("another log"), std::string::npos);
+  EXPECT_EQ(recovered->report.others.steps, 6U);
 }
 
 TEST(Recover, OfTwoSessionsWithOneHeaderTheLongerIsKept) {
@@ -170,6 +171,8 @@ TEST(Recover, OfTwoSessionsWithOneHeaderTheLongerIsKept) {
   ASSERT_TRUE(recovered.ok()) << recovered.error().message;
   EXPECT_TRUE(recovered->bytes == s.bytes);
   EXPECT_NE(recovered->report.damages.front().message.find("does not fit the others"), std::string::npos);
+  EXPECT_EQ(recovered->report.others.unfit_chunks, 1U);
+  EXPECT_FALSE(recovered->report.nothing_lost());
 }
 
 TEST(Recover, AChunkLostInTheMiddleLeavesAGapThatReadersName) {

@@ -224,6 +224,50 @@ TEST_F(SmallSuite, BlessPrintsValuesInAsManyDigitsAsTellThemApart) {
   EXPECT_NE(before, std::stod(outcome.out.substr(arrow + std::string(" → ").size()))) << outcome.out;
 }
 
+TEST_F(SmallSuite, ABodyThatTheSessionNeverHasFailsTheCase) {
+  const std::string rules = shop_.read("s/cases/one/metrics.toml");
+  const std::size_t at = rules.find("name = \"drift_max\"\n");
+  ASSERT_NE(at, std::string::npos) << rules;
+  shop_.write("s/cases/one/metrics.toml", std::string(rules).insert(at, "bodies = [1, 7777]\n"));
+  const Outcome outcome = check({"one"});
+  EXPECT_EQ(outcome.exit, 1) << outcome.out;
+  EXPECT_NE(outcome.out.find("drift_max: bodies: found no body 7777"), std::string::npos) << outcome.out;
+}
+
+TEST_F(SmallSuite, ACategoryThatOtherCasesHaveIsNotCalledUnknown) {
+  shop_.write("s/cases/two/scene.toml", "category = \"small\"\n" + shop_.read("s/cases/two/scene.toml"));
+  ASSERT_EQ(shop_.run({"bless", "two", "--suite", "s", "--reason", "x"}).exit, 0);
+  const Outcome outcome = check({"one", "--category", "small"});
+  EXPECT_EQ(outcome.exit, 2);
+  EXPECT_NE(outcome.err.find("\"small\" among those named: one"), std::string::npos) << outcome.err;
+  EXPECT_EQ(check({"one", "two", "--category", "small"}).exit, 0);
+}
+
+TEST_F(SmallSuite, BlessFromALogSaysWhyNoCaseCanBeMadeOfIt) {
+  const auto bless = [&](const std::vector<std::string>& how) {
+    std::vector<std::string> record = {"record", "-o", "l.tumble", "--quiet"};
+    record.insert(record.end(), how.begin(), how.end());
+    EXPECT_EQ(shop_.run(record).exit, 0);
+    return shop_.run({"bless", "new", "--from", "l.tumble", "--suite", "s", "--reason", "x"});
+  };
+  shop_.write("a.toml", kSmallScene);
+  ASSERT_EQ(shop_.run({"record", "a.toml", "-o", "a.tumble", "--quiet"}).exit, 0);
+  for (const auto& [how, why] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--from", "a.tumble:20"}, "goes on from step 20 of a.tumble"},
+           {{"a.toml", "--shift", "8,0"}, "its scene was transformed when it was recorded (shift 8,0)"},
+           {{"a.toml", "--realtime", "--steps", "6"}, "inputs that its scene does not have"},
+           {{"a.toml", "--steps", "3"}, "no case can be made of the scene that it holds"}}) {
+    const Outcome outcome = bless(how);
+    EXPECT_EQ(outcome.exit, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("with this build first"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("s/cases/new"), std::string::npos) << outcome.err;
+  }
+  const Outcome made = bless({"a.toml"});
+  EXPECT_EQ(made.exit, 0) << made.err;
+  EXPECT_EQ(made.out.find("()"), std::string::npos) << made.out;
+}
+
 TEST_F(SmallSuite, BlessFromALogMakesACaseThatPasses) {
   shop_.record_small("session", {"--set", "box.2.position=[0.1, 0.2, 2.5]"});
   const Outcome outcome =

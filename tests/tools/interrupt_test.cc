@@ -105,6 +105,17 @@ TEST(Interrupt, ARecoveryKeepsTheOldLogAndRemovesItsPart) {
   expect_kept(shop, "old.tumble", before);
 }
 
+TEST(Interrupt, ASeriesKeepsTheOldTable) {
+  const Workshop shop;
+  shop.record_small("small");
+  ASSERT_EQ(shop.run({"measure", "small.tumble", "--series", "s.csv"}).exit, 0);
+  const std::string before = shop.read("s.csv");
+  ASSERT_EQ(shop.run({"record", "brick_wall", "-o", "long.tumble", "--seconds", "60", "--quiet"}).exit, 0);
+  Running measure(shop, {"measure", "long.tumble", "--series", "s.csv"});
+  expect_interrupted(measure.interrupt(has_part(shop)), "measure");
+  expect_kept(shop, "s.csv", before);
+}
+
 TEST(Interrupt, AMovieIsWholeOrNotThere) {
   const Workshop shop;
   shop.record_small("small");

@@ -59,7 +59,8 @@ TEST(Program, ABoundOverBodiesThatAreNotInTheStartHasNoValueToHoldFor) {
   for (const char* bound : {"lateral_max<=0", "lateral_rms<=0", "drift_max<=0", "tilt_max<=0", "top_drop_max<=0"}) {
     const Outcome outcome = shop.run({"measure", "s.tumble", "--bodies", "input", "--require", bound});
     EXPECT_EQ(outcome.exit, 1) << bound;
-    EXPECT_NE(outcome.err.find("found no value: no body of the start"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("found no value: no body of the start is left at the end"), std::string::npos)
+        << outcome.err;
     const std::string name(bound, std::string_view(bound).find('<'));
     EXPECT_TRUE(thrown[name.starts_with("lateral") ? "symmetry" : "stacking"][name].is_null()) << name;
   }
@@ -84,6 +85,25 @@ TEST(Program, AMetricAtTheEndHasNoValueOnceItsBodiesAreRemoved) {
   const Outcome outcome = shop.run({"measure", "r.tumble", "--bodies", "2", "--require", "kinetic_end<=0"});
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_NE(outcome.err.find("found no value: no body at the end"), std::string::npos) << outcome.err;
+}
+
+// A list with a slip of the pen would judge fewer bodies, and hold.
+TEST(Program, ABodyThatTheSessionNeverHasIsNamed) {
+  const Workshop shop;
+  shop.record_small("s");
+  for (const auto& [list, missing] :
+       {std::pair("1,7777", "body 7777"), {"1,500-600", "bodies 500-600"}, {"1,tower:3", "tower:3"}}) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"measure", "s.tumble", "--bodies", list},
+          {"export", "s.tumble", "-o", "e.csv", "--bodies", list},
+          {"measure", "s.tumble", "--bodies", list, "--require", "lost<=0"}}) {
+      const Outcome outcome = shop.run(command);
+      EXPECT_EQ(outcome.exit, 2) << outcome.out;
+      EXPECT_NE(outcome.err.find(std::string("found no ") + missing), std::string::npos) << outcome.err;
+    }
+  }
+  EXPECT_TRUE(shop.names_with("e.csv").empty());
+  EXPECT_EQ(shop.run({"measure", "s.tumble", "--bodies", "1,input"}).exit, 0) << "thrown in later";
 }
 
 TEST(Program, MeasureDrawsPlots) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/support/program.h"
 
@@ -44,6 +45,34 @@ TEST(RecoverCommand, ALostFooterAloneIsNoLoss) {
   const Outcome outcome = shop.run({"recover", "torn.tumble", "-o", "saved.tumble"});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_EQ(shop.read("saved.tumble"), bytes);
+  EXPECT_NE(outcome.out.find("nothing of the session; left out: 182 bytes"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("the beginning of the footer"), std::string::npos) << outcome.out;
+}
+
+TEST(RecoverCommand, OfTwoLogsInOneFileTheFirstIsKeptAndTheOtherNamed) {
+  const Workshop shop;
+  shop.record_small("short", {"--steps", "20"});
+  shop.record_small("long");
+  for (const auto& [first, second, steps] : {std::tuple("short", "long", "40 steps"), {"long", "short", "20 steps"}}) {
+    const std::string wanted = shop.read(std::string(first) + ".tumble");
+    shop.write("both.tumble", wanted + shop.read(std::string(second) + ".tumble"));
+    const Outcome outcome = shop.run({"recover", "both.tumble", "-o", "saved.tumble"});
+    EXPECT_EQ(outcome.exit, 3) << outcome.out;
+    EXPECT_EQ(shop.read("saved.tumble"), wanted);
+    EXPECT_EQ(outcome.out.find("nothing"), std::string::npos) << outcome.out;
+    const std::string said = std::string("4 records of another log (") + steps + ")";
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+    const Json json = Json::parse(shop.run({"recover", "both.tumble", "-o", "saved.tumble", "--json"}).out);
+    EXPECT_EQ(json["nothing_lost"], false);
+    EXPECT_EQ(json["other_records"], 4);
+    EXPECT_EQ(json["lost_bytes"], shop.read(std::string(second) + ".tumble").size());
+  }
+  std::string bytes = shop.read("both.tumble");  // the first log's header has a damaged prelude
+  bytes[30] ^= 1;
+  shop.write("both.tumble", bytes);
+  EXPECT_EQ(shop.run({"recover", "both.tumble", "-o", "saved.tumble"}).exit, 3);
+  EXPECT_EQ(shop.read("saved.tumble"), shop.read("long.tumble"));
 }
 
 TEST(RecoverCommand, TheDamagedLogIsNeverWrittenOver) {

@@ -127,6 +127,19 @@ TEST(Runs, ProposedBoundsHoldTheRunsAndCatchAFault) {
   EXPECT_EQ(measure(shop, {faulty[2]}, {"--bounds", "bounds.toml"}).exit, 1);
 }
 
+TEST(Runs, ARunThatWasCutOffIsNamedBesideTheProposedBounds) {
+  const Workshop shop;
+  const std::vector<std::string> logs = slide(shop, "run", {100, 104, 103});
+  const std::string bytes = shop.read(logs[1]);
+  shop.write(logs[1], bytes.substr(0, bytes.size() - 200));
+  const Outcome proposed = measure(shop, logs, {"--propose", "drift_max"});
+  EXPECT_EQ(proposed.exit, 3) << proposed.err;
+  EXPECT_NE(proposed.out.find("# run_1.tumble is not whole"), std::string::npos) << proposed.out;
+  EXPECT_NE(proposed.err.find("note: run_1.tumble is not whole"), std::string::npos) << proposed.err;
+  shop.write("bounds.toml", proposed.out);
+  EXPECT_EQ(measure(shop, {logs[0], logs[2]}, {"--bounds", "bounds.toml"}).exit, 0) << "a comment";
+}
+
 TEST(Runs, AChoiceOfBodiesAndStepsIsProposedWithTheBound) {
   const Workshop shop;
   const std::vector<std::string> logs = slide(shop, "run", {100, 104});

@@ -52,8 +52,9 @@ Status check_name(const std::string& word, const replay::BodyTable& table) {
 }
 
 /// "--bodies": names of bodies beside the words of replay::parse_bodies().
-Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice(const std::string& text,
-                                                                                 const replay::BodyTable& table) {
+/// watch: gets each body that the choice is asked about.
+Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice(
+    const std::string& text, const replay::BodyTable& table, std::shared_ptr<replay::ChoiceWatch>& watch) {
   if (text == "all") return std::function<bool(const sim::BoxDef&, const std::string&)>();
   std::set<std::string> named, names;
   for (const auto& [id, info] : table.bodies()) {
@@ -85,17 +86,20 @@ Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice
     choice = *std::move(parsed);
   }
   const bool by_choice = !others.empty();
-  return std::function([names, choice, by_choice](const sim::BoxDef& box, const std::string& name) {
+  watch = std::make_shared<replay::ChoiceWatch>(choice);
+  return std::function([names, choice, by_choice, watch](const sim::BoxDef& box, const std::string& name) {
+    watch->add(box);
     return (by_choice && choice.holds(box)) || (!name.empty() && names.contains(name));
   });
 }
 
-Result<replay::ExportChoice> choice_of(const ExportCommand& options, replay::LogReader& log) {
+Result<replay::ExportChoice> choice_of(const ExportCommand& options, replay::LogReader& log,
+                                       std::shared_ptr<replay::ChoiceWatch>& watch) {
   const Result<StepRange> range = options.steps.empty()
                                       ? Result<StepRange>(StepRange{log.first_state(), log.last_step()})
                                       : parse_range(options.steps, log);
   if (!range.ok()) return range.error();
-  auto holds = parse_choice(options.bodies, log.bodies());
+  auto holds = parse_choice(options.bodies, log.bodies(), watch);
   if (!holds.ok()) return holds.error();
   return replay::ExportChoice{range->first, range->last, options.every.value_or(1), *std::move(holds)};
 }
@@ -157,12 +161,17 @@ Result<Exit> export_command(const ExportCommand& options) {
     return ok.error();
   Result<replay::LogReader> log = open_values(options.log);
   if (!log.ok()) return log.error();
-  const Result<replay::ExportChoice> choice = choice_of(options, *log);
+  std::shared_ptr<replay::ChoiceWatch> watch;
+  const Result<replay::ExportChoice> choice = choice_of(options, *log, watch);
   if (!choice.ok()) return choice.error();
   ProgressBar bar("exporting");
   const process::InterruptGuard interrupt;
   const Result<replay::ExportPlan> plan = replay::plan_export(*log, *choice, bar.progress());
   if (!plan.ok()) return plan.error();
+  if (watch && !watch->missing().empty()) {
+    return bad_input(options.log + ": --bodies: found no " + joined(watch->missing(), ", no ") + " up to step " +
+                     std::to_string(choice->last) + "; 'tumble dump' lists the bodies of a step");
+  }
   std::vector<std::string> left_out;
   const Result<std::uint64_t> bytes = write_to(**format, options.output, *log, *plan, left_out, bar.progress());
   bar.finish();

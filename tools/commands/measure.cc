@@ -124,10 +124,11 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
       },
       bar.progress());
   bar.finish();
+  if (!metrics.ok()) return metrics;  // without the file's new name: the old one is whole, and this one is not
   if (series) {
     if (Status ok = series->close(); !ok.ok()) return ok.error();
   }
-  if (!metrics.ok() || !plot) return metrics;
+  if (!plot) return metrics;
   const sim::SceneDef& scene = log.header().scene;
   if (Status ok = plot->draw(scene.title.empty() ? scene.name : scene.name + ": " + scene.title); !ok.ok()) {
     return ok.error();

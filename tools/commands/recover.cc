@@ -54,11 +54,28 @@ std::string lost_text(const RecoverReport& report) {
   for (const replay::MissingSteps& run : report.lost) text += (text.empty() ? "" : ", ") + to_string(run);
   if (!report.end_known) {
     text += (text.empty() ? "" : ", and ") + std::string("what may have come after step ") +
-            std::to_string(report.last_step) + " (the end was never written or is gone)";
+            std::to_string(report.last_step) + " (the end was not written or is gone)";
   }
   if (report.header_lost)
     text += (text.empty() ? "" : "; ") + std::string("the header: names, looks, camera, scene text");
+  const replay::OtherParts& others = report.others;
+  if (others.records > 0) {
+    text += (text.empty() ? "" : "; ") + count_text(others.records, "record") +
+            (others.logs == 1 ? " of another log" : " of other logs") + " (" + count_text(others.steps, "step") + ")";
+  }
+  if (others.unfit_chunks > 0) {
+    text += (text.empty() ? "" : "; ") + count_text(others.unfit_chunks, "whole chunk") + " (" +
+            count_text(others.unfit_steps, "step") + ") beside this session with an equal header";
+  }
   return text.empty() ? "nothing" : text;
+}
+
+std::string with_bytes(const RecoverReport& report) {
+  if (report.lost_bytes == 0) return lost_text(report);
+  if (report.nothing_lost()) {
+    return "nothing of the session; left out: " + bytes_text(report.lost_bytes) + " that are part of no whole record";
+  }
+  return lost_text(report) + "; " + bytes_text(report.lost_bytes) + " of the file are not in the new log";
 }
 
 void print_text(const RecoverCommand& options, const RecoverReport& report) {
@@ -66,7 +83,7 @@ void print_text(const RecoverCommand& options, const RecoverReport& report) {
   listing.add("recovered", options.log + ", " + bytes_text(report.bytes));
   listing.add("steps", count_text(report.steps, "step") + " in " + count_text(report.chunks, "chunk") + ", states " +
                            std::to_string(report.first_state) + " to " + std::to_string(report.last_step));
-  listing.add("lost", lost_text(report) + (report.lost_bytes > 0 ? "; " + bytes_text(report.lost_bytes) : ""));
+  listing.add("lost", with_bytes(report));
   listing.add("checked", "every byte of it was read again");
   listing.print();
   for (std::size_t i = 0; i < report.damages.size() && i < kDamagesShown; ++i) {
@@ -93,6 +110,8 @@ void print_as_json(const RecoverCommand& options, const RecoverReport& report) {
   json["end_known"] = report.end_known;
   json["header_lost"] = report.header_lost;
   json["lost_bytes"] = report.lost_bytes;
+  json["other_records"] = report.others.records;
+  json["unfit_chunks"] = report.others.unfit_chunks;
   json["damages"] = Json::array();
   for (const replay::Damage& damage : report.damages) {
     json["damages"].push_back({{"byte", damage.offset}, {"message", damage.message}});

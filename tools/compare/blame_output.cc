@@ -23,6 +23,7 @@ std::string value_text(const replay::FieldValue& value, const std::string& unit)
 std::string place_text(const replay::BlameAnswer& answer) {
   if (answer.phase == "start") return "step " + std::to_string(answer.step) + ", start";
   if (answer.phase == "inputs") return "before step " + std::to_string(answer.step) + ", input";
+  if (answer.phase == "lost") return "step " + std::to_string(answer.step) + ", lost";
   std::string text = "step " + std::to_string(answer.step);
   if (answer.substep) text += " substep " + std::to_string(*answer.substep);
   return text + ", " + answer.phase;

@@ -111,7 +111,9 @@ std::vector<MetricSpread> spreads_of(const std::vector<Metrics>& runs, bool repe
 }
 
 /// Prints the [[metric]]s of the names that --propose has.
-Status print_proposed(const RunsQuestion& question, const std::vector<MetricSpread>& spreads) {
+/// Notes on the runs stand in comments before them: bounds of runs that were cut off hold for no whole one.
+Status print_proposed(const RunsQuestion& question, const std::vector<std::string>& notes,
+                      const std::vector<MetricSpread>& spreads) {
   std::string text;
   const std::string against = std::filesystem::path(question.against).filename().string();
   const auto add = [&](const MetricSpread& spread) {
@@ -138,6 +140,10 @@ Status print_proposed(const RunsQuestion& question, const std::vector<MetricSpre
       }
       add(*found);
     }
+  }
+  for (const std::string& note : notes) {
+    std::cout << "# " << printable(note) << '\n';
+    std::cerr << "tumble measure: note: " << printable(note) << '\n';
   }
   std::cout << text;
   return {};
@@ -173,7 +179,7 @@ Result<Exit> tell_spreads(const RunsQuestion& question) {
   if (!ok.ok()) return ok.error();
   const std::vector<MetricSpread> spreads = spreads_of(all, runs.facts().repeats());
   if (!question.propose.empty()) {
-    if (Status printed = print_proposed(question, spreads); !printed.ok()) return printed.error();
+    if (Status printed = print_proposed(question, runs.facts().notes, spreads); !printed.ok()) return printed.error();
   } else if (question.json) {
     print_json("measure", spreads_json(runs.facts(), spreads));
   } else {

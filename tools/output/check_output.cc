@@ -87,7 +87,8 @@ void print_blessings(const golden::BlessReport& report, bool dry_run) {
     for (const std::string& detail : blessing.details) print_line("", detail);
     for (const golden::MetricResult& metric : blessing.metrics) {
       if (!golden::has_moved(metric)) continue;
-      print_line("  metric", golden::movement_text(metric) + " (" + bound_text(metric.rule, metric.unit) + ")");
+      const std::string bound = bound_text(metric.rule, metric.unit);  // a new case has its bounds in its metrics.toml
+      print_line("  metric", golden::movement_text(metric) + (bound.empty() ? "" : " (" + bound + ")"));
     }
   }
   if (report.blessed.empty()) std::cout << "nothing to bless: bits and values are those of the goldens\n";

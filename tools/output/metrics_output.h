@@ -27,7 +27,8 @@ class SeriesFile {
   /// Errors: OutputFile's.
   Status open(const std::string& path, const std::vector<replay::Channel>& channels);
   void add(const replay::SeriesRow& row);
-  /// Errors (kCannotFinish): any write since open() that failed.
+  /// Gives the file its name; without this call what was there before stays. Errors (kCannotFinish): any write since
+  /// open() that failed.
   Status close();
 
  private:
