@@ -40,7 +40,7 @@ std::optional<BodyMotion> motion_in(const BodyStates& states, sim::BodyId body) 
   return motion_of(states, static_cast<std::size_t>(at - states.id.begin()));
 }
 
-bool same_value(const std::optional<double>& a, const std::optional<double>& b) {
+bool same_or_none(const std::optional<double>& a, const std::optional<double>& b) {
   return a.has_value() == b.has_value() && (!a || same_value(*a, *b));
 }
 
@@ -211,7 +211,7 @@ Result<std::vector<InputChange>> StepsAgain::input_changes(std::uint64_t k, sim:
       k, [&](const sim::World& world) { value = value_in(world); },
       [&](const sim::Command& input, const sim::World& world) {
         const std::optional<double> now = value_in(world);
-        if (same_value(value, now)) return;
+        if (same_or_none(value, now)) return;
         if (sets_value(input, field)) changes.clear();
         changes.push_back({input, std::exchange(value, now), now});
       });

@@ -26,13 +26,13 @@ constexpr MetricRow kMetrics[] = {
     {"lateral_rms", "lateral error, rms", "m", "symmetry", kNoneOfStart,
      [](const Metrics& m) { return of_start(m, m.symmetry.lateral_rms); }, kOverChosen, 0},
     {"column_spread", "column spread", "m", "symmetry", "no body of a grid",
-     [](const Metrics& m) { return m.symmetry.column_spread; }, kOverChosen, 0},
+     [](const Metrics& m) { return m.symmetry.column_spread; }},
     {"mirror_error", "mirror error", "m", "symmetry", "no mirrored pair",
-     [](const Metrics& m) { return m.symmetry.mirror_error; }, kOverAll, 0},
+     [](const Metrics& m) { return m.symmetry.mirror_error; }, kOverAll},
     {"order_error", "order error", "m", "symmetry", "no mirrored pair",
-     [](const Metrics& m) { return m.symmetry.order_error; }, kOverAll, 0},
+     [](const Metrics& m) { return m.symmetry.order_error; }, kOverAll},
     {"shift_error", "shift error", "m", "symmetry", "no mirrored pair",
-     [](const Metrics& m) { return m.symmetry.shift_error; }, kOverAll, 0},
+     [](const Metrics& m) { return m.symmetry.shift_error; }, kOverAll},
 
     {"initial", "at the start", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.initial; },
      kOverAll},
@@ -40,7 +40,7 @@ constexpr MetricRow kMetrics[] = {
     {"gain_max", "largest gain", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.gain_max; },
      kOverAll, 0},
     {"gain_ratio", "largest gain, of the start's", "", "energy", "gained from nothing",
-     [](const Metrics& m) { return m.energy.gain_ratio; }, kOverAll, 0},
+     [](const Metrics& m) { return m.energy.gain_ratio; }, kOverAll},
     {"removed", "removed", "J", "energy", "not told by another engine",
      [](const Metrics& m) { return m.energy.removed; }, kOverAll},
     {"inputs", "put in by inputs", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.inputs; },
@@ -79,7 +79,7 @@ constexpr MetricRow kMetrics[] = {
     {"frozen_fraction", "frozen at the end, fraction", "", "stacking", kNoBody,
      [](const Metrics& m) { return at_end(m, m.stacking.frozen_fraction); }, kOverChosen, 0, 1},
     {"rest_time", "at rest from", "s", "stacking", "never",
-     [](const Metrics& m) { return m.bodies_at_end > 0 ? m.stacking.rest_time : std::nullopt; }, kOverChosen, 0},
+     [](const Metrics& m) { return m.bodies_at_end > 0 ? m.stacking.rest_time : std::nullopt; }},
 };
 
 MetricRow channel_row(const ChannelMetricName& parts) {

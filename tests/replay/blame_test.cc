@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/replay/blame_story.h"
 #include "tests/support/log_memory.h"
 #include "tests/support/sample_log.h"
 #include "tests/support/sim_scenes.h"
@@ -18,16 +19,6 @@ namespace tumble::replay {
 namespace {
 
 using sim::Method;
-
-/// A cube that floats at rest without gravity, and inputs.
-sim::SceneDef floating(Method method, std::vector<sim::TimedCommand> inputs, std::uint64_t steps) {
-  sim::SceneDef scene = test::empty_space();
-  scene.world.method = method;
-  scene.boxes = {test::cube(1, {0, 0, 5})};
-  scene.inputs = std::move(inputs);
-  scene.steps = steps;
-  return scene;
-}
 
 sim::SceneDef on_ground(Method method, std::vector<sim::BoxDef> boxes, std::uint64_t steps) {
   sim::SceneDef scene = test::on_ground();
@@ -42,14 +33,6 @@ sim::BoxDef moving(sim::BoxDef box, const sim::Vec3& velocity) {
   return box;
 }
 
-Blame blame_of(const sim::SceneDef& scene, const BlameQuestion& question) {
-  Result<LogReader> log = open_memory(record_to_memory(scene));
-  EXPECT_TRUE(log.ok());
-  Result<Blame> found = blame(*log, question);
-  EXPECT_TRUE(found.ok()) << found.error().message;
-  return found.ok() ? *found : Blame{};
-}
-
 std::vector<std::string> phases_of(const Blame& blame) {
   std::vector<std::string> phases;
   for (const BlameAnswer& answer : blame.answers) phases.push_back(answer.phase);
@@ -57,12 +40,6 @@ std::vector<std::string> phases_of(const Blame& blame) {
 }
 
 bool names(const Blame& blame, const std::string& phase) { return std::ranges::count(phases_of(blame), phase) > 0; }
-
-std::string story(const Blame& blame) {
-  std::string text;
-  for (const BlameAnswer& answer : blame.answers) text += answer.phase + ": " + answer.text + '\n';
-  return text + blame.ends;
-}
 
 /// Before and the shares add up to after, to the bit, where the answer says so.
 void expect_exact_sums(const Blame& blame) {
@@ -247,66 +224,6 @@ TEST(Blame, GoesBackToTheStepsThatARecoveredLogLacks) {
     ASSERT_EQ(found->notes.size(), 1U);
     EXPECT_NE(found->notes[0].find("steps 7 to 12 were lost"), std::string::npos) << found->notes[0];
     EXPECT_EQ(blame(*log, {1, "velocity.x", 20, 9})->ends, found->ends);
-  }
-}
-
-// Each of these inputs is of the step, and only some can have written the value.
-TEST(Blame, NamesTheInputsThatChangedTheValue) {
-  for (const Method method : kMethods) {
-    sim::SceneDef scene = floating(method, {}, 12);
-    sim::BoxDef asleep = test::cube(2, {9, 0, 5});
-    asleep.frozen = true;
-    scene.boxes.push_back(asleep);
-    scene.boxes.push_back(test::cube(3, {20, 0, 5}));
-    scene.inputs = {{10, sim::SetVelocity{1, {0, 1, 0}, {0, 0, 0}}},
-                    {10, sim::Push{1, {2, 0, 0}, true, {0, 0, 0}}},
-                    {10, sim::Wake{2}},
-                    {10, sim::Remove{3}}};
-    const auto texts = [&](sim::BodyId body, const char* field) {
-      const Blame found = blame_of(scene, {body, field, 10, 1});
-      EXPECT_EQ(found.answers.size(), 1U);
-      EXPECT_EQ(found.answers.at(0).phase, "inputs") << story(found);
-      EXPECT_TRUE(found.complete) << story(found);
-      return found.answers.at(0).text;
-    };
-    EXPECT_TRUE(texts(1, "velocity.x").starts_with("push of body 1"));
-    EXPECT_TRUE(texts(1, "velocity.y").starts_with("set_velocity of body 1"));
-    EXPECT_EQ(texts(2, "frozen"), "wake of body 2");
-  }
-}
-
-TEST(Blame, NamesEachOfSeveralInputsThatChangedAValue) {
-  const sim::Push first{1, {2, 0, 0}, true, {0, 0, 0}}, second{1, {3, 0, 0}, true, {0, 0, 0}};
-  const sim::SceneDef scene = floating(
-      Method::kLayered, {{4, first}, {4, sim::SetVelocity{1, {1, 0, 0}, {0, 0, 0}}}, {4, first}, {4, second}}, 6);
-  const Blame all = blame_of(scene, {1, "velocity.x", 4, 9});
-  ASSERT_EQ(all.answers.size(), 3U) << story(all);
-  EXPECT_NE(all.answers[0].text.find("impulse (3, 0, 0) N s; number 3 of the 3 inputs"), std::string::npos)
-      << story(all);
-  EXPECT_NE(all.answers[1].text.find("number 2 of the 3"), std::string::npos) << story(all);
-  EXPECT_TRUE(all.answers[2].text.starts_with("set_velocity")) << story(all);
-  EXPECT_EQ(all.answers[0].before, all.answers[1].after);
-  EXPECT_TRUE(all.complete);
-  const Blame one = blame_of(scene, {1, "velocity.x", 4, 1});
-  EXPECT_EQ(one.answers.at(0).text, all.answers[0].text);
-  EXPECT_FALSE(one.complete) << "others changed it before";
-}
-
-TEST(Blame, AnInterruptionIsNoEndOfTheChain) {
-  const sim::SceneDef scene = floating(Method::kLayered, {{4, sim::Push{1, {3, 0, 0}, true, {0, 0, 0}}}}, 40);
-  const Bytes bytes = record_to_memory(scene, {}, 6);
-  std::size_t calls = 0;
-  Result<LogReader> whole = open_memory(bytes);
-  ASSERT_TRUE(blame(*whole, {1, "position.x", 40, 9}, [&](std::uint64_t, std::uint64_t) { return ++calls > 0; }).ok());
-  ASSERT_GT(calls, 2U);
-  for (std::size_t stop = 1; stop <= calls; ++stop) {
-    Result<LogReader> log = open_memory(bytes);
-    std::size_t left = stop;
-    const Result<Blame> found =
-        blame(*log, {1, "position.x", 40, 9}, [&](std::uint64_t, std::uint64_t) { return --left > 0; });
-    ASSERT_FALSE(found.ok()) << "stopped at call " << stop;
-    EXPECT_EQ(found.error().kind, ErrorKind::kCannotFinish);
-    EXPECT_NE(found.error().message.find("interrupted"), std::string::npos) << found.error().message;
   }
 }
 

@@ -274,6 +274,7 @@ TEST_F(ToolsRender, RefusesWhatItCannotDo) {
       {{"--speed", "1e-322", "-o", "s.mp4"}, "found more than 1000000 frames"},
       {{"--camera", "position=0,0,2", "--camera", "target=0,0,2"}, "no direction to look in"},
       {{"-o", "no/such/x.png"}, "cannot be written"},
+      {{"-o", "/dev/null"}, "is no folder to draw into"},
   };
   for (const auto& [more, phrase] : cases) {
     std::vector<std::string> arguments = {"render", "s.tumble"};

@@ -70,6 +70,10 @@ Status check_outputs(const RenderArguments& arguments, const RenderPlan& plan) {
   if (plan.kind != OutputKind::kFolder) return claim_output(guard, "-o", plan.output, files::kind_by_name(plan.output));
   std::error_code ignored;
   if (!std::filesystem::exists(plan.output, ignored)) return {};  // prepare_output makes the folder
+  if (!std::filesystem::is_directory(plan.output, ignored)) {
+    return bad_input("-o: " + plan.output +
+                     ": is no folder to draw into; a picture's path ends with .png, a movie's with .mp4 or .webm");
+  }
   const bool only_states = has_only_states(plan);
   for (std::size_t i = 0; i < plan.frames.size(); ++i) {
     if (Status ok = claim_output(guard, "-o", picture_path(plan, i, only_states), files::FileKind::kPng); !ok.ok())

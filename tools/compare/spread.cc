@@ -1,6 +1,7 @@
 #include "tools/compare/spread.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -64,6 +65,15 @@ std::string why_none(const MetricSpread& spread, std::size_t there, bool repeats
   return "";
 }
 
+/// The least value that there can be. A bound at it judges nothing, or only that there is a value, which each of the
+/// runs had.
+double least_of(const replay::MetricRow& metric) {
+  constexpr std::array kNeverNegative = {"gain_ratio",  "column_spread",  "mirror_error", "order_error",
+                                         "shift_error", "momentum_drift", "rest_time"};
+  const bool never_negative = std::ranges::find(kNeverNegative, std::string_view(metric.name)) != kNeverNegative.end();
+  return never_negative ? std::max(metric.low, 0.0) : metric.low;
+}
+
 void propose(MetricSpread& spread, bool repeats) {
   const replay::MetricRow& metric = *spread.metric;
   const double size = std::max(std::fabs(spread.least), std::fabs(spread.largest));
@@ -77,7 +87,7 @@ void propose(MetricSpread& spread, bool repeats) {
     min = outwards(min, room, false);
     max = outwards(max, room, true);
   }
-  if (min > metric.low) spread.min = min;
+  if (min > least_of(metric)) spread.min = min;
   // Sessions that stay together for longer than usual are no fault.
   if (max < metric.high && !metric.needs_other_session()) spread.max = max;
   if (spread.min) spread.room = std::max(spread.room, spread.least - *spread.min);
