@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -130,26 +129,17 @@ TEST(Runs, ProposedBoundsHoldTheRunsAndCatchAFault) {
 
 TEST(Runs, NoLeastIsProposedBelowTheLeastThereCanBe) {
   const Workshop shop;
-  const std::string small =
-      "[world]\nsteps = 12\n[[box]]\nposition = [0.0, 0.0, HEIGHT]\nvelocity = [0.0, 0.0, SPEED]\n";
   std::vector<std::string> logs;
-  for (const auto& [name, height, speed] : {std::tuple("a", "0.49", "0.0"), {"b", "0.3", "0.0"}}) {
-    std::string scene = small;
-    scene.replace(scene.find("HEIGHT"), 6, height);
-    scene.replace(scene.find("SPEED"), 5, speed);
-    shop.write(std::string(name) + ".toml", scene);
-    logs.push_back(std::string(name) + ".tumble");
-    ASSERT_EQ(shop.run({"record", std::string(name) + ".toml", "-o", logs.back(), "--quiet"}).exit, 0);
+  for (const char* height : {"0.49", "0.3"}) {  // in the ground, which pushes the box out
+    shop.write("s.toml", "[world]\nsteps = 12\n[[box]]\nposition = [0.0, 0.0, " + std::string(height) +
+                             "]\n[[box]]\nposition = [5.0, 0.0, 3.0]\n");
+    logs.push_back(std::string(height) + ".tumble");
+    ASSERT_EQ(shop.run({"record", "s.toml", "-o", logs.back(), "--quiet"}).exit, 0);
   }
-  const Outcome proposed = measure(shop, logs, {"--propose", "all"});
+  const Outcome proposed = measure(shop, logs, {"--propose", "gain_ratio"});
   ASSERT_EQ(proposed.exit, 0) << proposed.err;
-  for (const char* name : {"gain_ratio", "rest_time", "momentum_drift"}) {
-    const std::size_t at = proposed.out.find("name = \"" + std::string(name) + "\"");
-    if (at == std::string::npos) continue;
-    const std::string rule = proposed.out.substr(at, proposed.out.find("[[metric]]", at) - at);
-    EXPECT_EQ(rule.find("min = -"), std::string::npos) << rule;
-  }
-  EXPECT_NE(proposed.out.find("name = \"gain_ratio\""), std::string::npos) << proposed.out;
+  EXPECT_NE(proposed.out.find("max = "), std::string::npos) << proposed.out;
+  EXPECT_EQ(proposed.out.find("min = "), std::string::npos) << proposed.out;
 }
 
 TEST(Runs, ARunThatWasCutOffIsNamedBesideTheProposedBounds) {
