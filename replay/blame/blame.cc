@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "replay/blame/answer_of_write.h"
-#include "replay/blame/chain_end.h"
 #include "replay/blame/contact_making.h"
 #include "replay/blame/origin.h"
 #include "replay/blame/question.h"

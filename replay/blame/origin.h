@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "replay/blame/blame_answer.h"
+#include "replay/blame/steps_again.h"
 #include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
 
-/// Where a value entered a session: an input, or a table of the scene.
+/// Where a value entered a session: an input, a table of the scene, a step that the log lacks.
 namespace tumble::replay {
 
 /// "push of body 7, impulse (4, 0, 0) N s".
@@ -29,14 +31,20 @@ struct ValueOfBody {
   std::size_t field = 0;
 };
 
-/// The answer that an input before step k changed the value; `before`: none where there was no such value.
-BlameAnswer input_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value,
-                         const std::optional<FieldValue>& before, const FieldValue& after, const sim::Command& input);
+// The places where the chain of answers ends. Each function adds its answers to the account, as many as were asked for,
+// and the reason why the chain stops there. Errors: those of StepsAgain.
 
-/// The answer that the log starts with the value, in state k.
-BlameAnswer start_answer(const LogHeader& header, std::uint64_t k, const ValueOfBody& value, const FieldValue& after);
+/// Inputs before step k changed the value; the last of them stands first.
+Status end_at_inputs(StepsAgain& steps, std::uint64_t k, const ValueOfBody& value, Blame& blame);
 
-/// The answer that the log holds the value after step k, but not the step.
-BlameAnswer lost_answer(std::uint64_t k, const ValueOfBody& value, const FieldValue& after);
+/// Both bodies of the contact that acted in step k were at rest.
+Status end_at_rest(StepsAgain& steps, std::uint64_t k, const ValueOfBody& value, Blame& blame);
+
+/// The log begins with state k.
+Status end_at_start(StepsAgain& steps, std::uint64_t k, const ValueOfBody& value, Blame& blame);
+
+/// The log holds the value after step k, in a keyframe, and not the step. `why`: StepsAgain::has_step's; another error
+/// than that a step is lost or damaged is returned as it is.
+Status end_at_lost_step(StepsAgain& steps, std::uint64_t k, const ValueOfBody& value, const Error& why, Blame& blame);
 
 }  // namespace tumble::replay
