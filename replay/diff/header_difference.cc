@@ -212,7 +212,7 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
   for (const BodyInfo& body : one.declared.bodies) {
     const auto its = std::ranges::lower_bound(bodies, body.id, {}, &BodyInfo::id);
     const bool same = its != bodies.end() && its->id == body.id && its->shape == body.shape;
-    if (body.shape != Hash128() && !same) parts.push_back("its shape of body " + std::to_string(body.id));
+    if (body.shape != Hash128() && !same) parts.push_back("this shape of body " + std::to_string(body.id));
   }
   if (!one.engine || !other.engine) return parts;  // phases of ours change with the version of their hashes
   for (const std::string& phase : one.phases) {

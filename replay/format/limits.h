@@ -32,7 +32,7 @@ inline constexpr std::uint64_t kChannelStepsMax = 1 << 18;  ///< channels times 
 inline constexpr std::uint64_t kContactsPerStepMax = 1 << 20;
 inline constexpr std::uint64_t kNoteBytesMax = 1 << 16;
 inline constexpr std::uint64_t kSnapshotBytesMax = 1ULL << 28;
-inline constexpr std::uint64_t kValueBytesMax = 1 << 20;  ///< of one value of bytes or text
+inline constexpr std::uint64_t kValueBytesMax = 1ULL << 28;  ///< of one value of bytes or text
 inline constexpr std::uint64_t kBoxBytesMin = 192;   ///< bytes of a message per box, at least; a list may claim more
 inline constexpr std::uint64_t kInputBytesMin = 48;  ///< bytes of a message per input, at least
 

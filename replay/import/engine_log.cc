@@ -5,6 +5,7 @@
 
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
+#include "replay/import/apply_as_told.h"
 #include "replay/import/end_reason.h"
 #include "replay/import/engine_header.h"
 #include "replay/import/known_bodies.h"
@@ -15,7 +16,6 @@
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
 #include "tumble/sim/limits.h"
-#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {
@@ -146,7 +146,7 @@ Status EngineLog::input(const sim::Command& command) {
     if (!turned.ok()) return at_step(turned.error().message);
     thrown->box.frozen = false;
   }
-  if (Status ok = sim::apply(world_, awake); !ok.ok()) return at_step(ok.error().message);
+  if (Status ok = apply_as_told(world_, awake); !ok.ok()) return at_step(ok.error().message);
   if (const auto* thrown = std::get_if<sim::Throw>(&command)) put_state(world_.mutable_state().bodies, thrown->box);
   inputs_.push_back(command);
   return {};

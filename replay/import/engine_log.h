@@ -79,7 +79,9 @@ class EngineLog {
   static Result<std::unique_ptr<EngineLog>> create(const MakeSink& make_sink, const EngineDef& def,
                                                    const sim::SceneDef& start);
 
-  /// Records an input that changes the bodies before the coming step. Inputs of a step come before its states. Errors
+  /// Records an input that changes the bodies before the coming step. Inputs of a step come before its states. A push,
+  /// a velocity and a wake wake their body; gravity wakes nobody, for the engine decides what sleeps. A push or a
+  /// velocity of a static body, or past the speeds of a world, is kept: the states tell what it did. Errors
   /// (kBadInput): an unknown or taken id, the id of a removed body for one of another size, mass or material, a value
   /// beyond the limits, an input after a state.
   Status input(const sim::Command& command);

@@ -92,7 +92,10 @@ std::string place_of(std::uint64_t step, sim::BodyId a, sim::BodyId b) {
 }  // namespace
 
 void ContactCheck::without_points(std::uint64_t step, sim::BodyId a, sim::BodyId b) {
-  pointless_.add([&] { return place_of(step, a, b) + "has no points, so the log does not hold it"; });
+  pointless_.add([&] {
+    return place_of(step, a, b) +
+           "has no points, so the log keeps it in a channel, told.contacts or told.ground_contacts";
+  });
 }
 
 void ContactCheck::add(std::uint64_t step, const std::vector<EngineContact>& contacts) {

@@ -39,7 +39,7 @@ class ContactCheck {
   [[nodiscard]] std::string not_finite() const { return not_finite_.text(); }
   /// "step 3, contact of 1 and 2: the normal has a length of 7, wanted 1".
   [[nodiscard]] std::string no_direction() const { return no_direction_.text(); }
-  /// "step 3, contact of 1 and 2: has no points, so the log does not hold it".
+  /// "step 3, contact of 1 and 2: has no points, so the log keeps it in a channel, …".
   [[nodiscard]] std::string pointless() const { return pointless_.text(); }
 
  private:

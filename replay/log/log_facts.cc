@@ -139,7 +139,7 @@ void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>
     if (body.shape == Hash128() || begins_with(one, id) || begins_with(other, id)) continue;
     const auto its = there.find(id);
     if (its != there.end() && its->second.shape == body.shape) continue;
-    parts.push_back("its shape of body " + std::to_string(id));
+    parts.push_back("this shape of body " + std::to_string(id));
   }
 }
 

@@ -9,16 +9,48 @@
 namespace tumble::replay {
 namespace {
 
-constexpr std::array<std::string_view, 30> kToldNames = {
-    "mass",           "friction",       "restitution",    "radius",        "length",        "size.x",
-    "size.y",         "size.z",         "gravity.x",      "gravity.y",     "gravity.z",     "position.x",
-    "position.y",     "position.z",     "velocity.x",     "velocity.y",    "velocity.z",    "spin.x",
-    "spin.y",         "spin.z",         "orientation.w",  "orientation.x", "orientation.y", "orientation.z",
-    "set_velocity.x", "set_velocity.y", "set_velocity.z", "set_spin.x",    "set_spin.y",    "set_spin.z"};
+constexpr std::array<std::string_view, 37> kToldNames = {"mass",
+                                                         "friction",
+                                                         "restitution",
+                                                         "radius",
+                                                         "length",
+                                                         "size.x",
+                                                         "size.y",
+                                                         "size.z",
+                                                         "gravity.x",
+                                                         "gravity.y",
+                                                         "gravity.z",
+                                                         "position.x",
+                                                         "position.y",
+                                                         "position.z",
+                                                         "velocity.x",
+                                                         "velocity.y",
+                                                         "velocity.z",
+                                                         "spin.x",
+                                                         "spin.y",
+                                                         "spin.z",
+                                                         "orientation.w",
+                                                         "orientation.x",
+                                                         "orientation.y",
+                                                         "orientation.z",
+                                                         "set_velocity.x",
+                                                         "set_velocity.y",
+                                                         "set_velocity.z",
+                                                         "set_spin.x",
+                                                         "set_spin.y",
+                                                         "set_spin.z",
+                                                         "push.x",
+                                                         "push.y",
+                                                         "push.z",
+                                                         "state.orientation.w",
+                                                         "state.orientation.x",
+                                                         "state.orientation.y",
+                                                         "state.orientation.z"};
 
 /// Whether an engine may mean a value: what it means is its own affair, unless it is none at all.
 bool is_possible(std::string_view name, double value) {
-  if (!std::isfinite(value) || name.starts_with("orientation.")) return false;  // finite: its length is not 1
+  // A finite number of an orientation: its length is not 1.
+  if (!std::isfinite(value) || name.find("orientation.") != std::string_view::npos) return false;
   const bool is_signed = name.find('.') != std::string_view::npos && !name.starts_with("size.");
   return is_signed || value >= 0;
 }
@@ -36,8 +68,9 @@ std::string and_more(std::uint64_t count) {
 }  // namespace
 
 bool is_told_name(std::string_view name) {
-  return name.starts_with(kToldPrefix) &&
-         std::ranges::find(kToldNames, name.substr(kToldPrefix.size())) != kToldNames.end();
+  if (!name.starts_with(kToldPrefix)) return false;
+  name.remove_prefix(kToldPrefix.size());
+  return std::ranges::find(kToldNames, name.substr(0, name.find('#'))) != kToldNames.end();
 }
 
 std::vector<std::string> told_names() {

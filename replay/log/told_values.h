@@ -15,7 +15,8 @@
 /// stands in channels of these names, so that two sessions that were told different values differ.
 namespace tumble::replay {
 
-/// "told.mass", "told.position.x", …: the names that such channels have.
+/// "told.mass", "told.position.x", …: the names that such channels have. A second value of a body in one step is
+/// "told.push.x#2".
 inline constexpr std::string_view kToldPrefix = "told.";
 
 /// Whether a recorder's stream keeps told values under this name, which no channel of an engine gets there.

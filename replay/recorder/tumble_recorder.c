@@ -2234,7 +2234,7 @@ TumbleRecStatus tumble_rec_rewind(TumbleRec* rec, uint64_t step) {
   for (rec->moving = 0, k = 0; k < rec->body_count; ++k) { /* every body tells its state again */
     Body* body = &rec->bodies[k];
     if (body->gone && body->removed_at > step) body->gone = 0;
-    body->last_known = body->is_static;
+    body->last_known = 0; /* "same" would be as a step that is taken back */
     body->asleep = 0;
     rec->moving += (size_t)moves(body);
   }

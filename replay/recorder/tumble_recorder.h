@@ -24,7 +24,7 @@
  * What contradicts itself is TUMBLE_REC_BAD_CALL: a second state of a body or a second value of a channel and its
  * bodies in one step, a state, contact, value or input of a body that does not exist (not added, or removed), a contact
  * of a body with itself, a state, contact or value between two steps, no state of a body that moves. Two contacts of
- * one pair and part are kept: more points. One without points is compared by `verify`; a log has no place for it.
+ * one pair and part are kept: more points. Parts, and contacts without points, are a channel of the log.
  *
  * Functions return TUMBLE_REC_OK or the kind of error, never abort, and accept NULL for rec. After an error, every
  * further call returns the same one and tumble_rec_message() says what was found and wanted; what was written before
@@ -79,7 +79,10 @@ typedef struct TumbleRecState {
   double orientation[4]; /* unit quaternion w, x, y, z, body to world */
   double velocity[3];
   double spin[3]; /* angular velocity, rad/s, world axes */
-  int asleep;     /* the engine lets it rest; it needs no further state until it wakes */
+  /* The engine lets it rest: it needs no further state until it wakes. A push or a velocity wakes it, and the step then
+   * needs its state, which may be asleep again. Nothing else does, neither gravity nor a support that is removed: an
+   * engine that wakes it for these tells its state. */
+  int asleep;
 } TumbleRecState;
 
 typedef struct TumbleRecBody {

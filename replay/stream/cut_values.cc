@@ -14,6 +14,7 @@ namespace {
 // TumbleRecShape of tumble_recorder.h.
 constexpr std::uint8_t kSphereShape = 1, kCapsuleShape = 2, kCylinderShape = 3;
 
+constexpr std::size_t kTimesMax = 64;   // that one body is told one thing in a step; further values replace the last
 constexpr std::size_t kNotesShown = 3;  // of a kind; the others are counted
 constexpr std::array<const char*, 3> kComponents = {".x", ".y", ".z"};
 const char* component_of(int k) { return kComponents[static_cast<std::size_t>(k)]; }
@@ -46,7 +47,11 @@ std::vector<std::string> StreamBodies::notes() const {
 }
 
 void StreamBodies::tell(std::uint64_t id, const std::string& name, double value) {
-  told_[{std::string(kToldPrefix) + name, id}] = value;
+  const std::string first = std::string(kToldPrefix) + name;
+  std::string channel = first;
+  for (std::size_t n = 2; n <= kTimesMax && told_.contains({channel, id}); ++n)
+    channel = first + '#' + std::to_string(n);
+  told_[{channel, id}] = value;
 }
 
 void StreamBodies::note_cut(std::uint64_t id, const Range& range, const char* component, double value, double cut) {
@@ -137,9 +142,11 @@ void StreamBodies::keep_motion_within(sim::BoxDef& box) {
   const Range velocity = {"a velocity at its start", " m/s", "velocity", -sim::kSpeedMax, sim::kSpeedMax, 0};
   const Range spin = {"an angular velocity at its start", " rad/s", "spin", -sim::kSpeedMax, sim::kSpeedMax, 0};
   if (!in_start_) {
+    const std::size_t told = told_.size();
     box.position = within(box.id, place, box.position);
     box.velocity = within(box.id, velocity, box.velocity);
     box.spin = within(box.id, spin, box.spin);
+    if (told_.size() > told) thrown_beyond_.insert(box.id);
     return;
   }
   bool is_cut = false;
@@ -161,10 +168,38 @@ void StreamBodies::keep_motion_within(sim::BoxDef& box) {
   if (is_cut || !std::isfinite(q.w + q.x + q.y + q.z)) start_states_.emplace_back(box.id, last_[box.id]);
 }
 
+sim::Quat StreamBodies::kept_turn(const sim::Quat& q, const std::string& what, const char* channels) {
+  const double length = std::sqrt(sim::squared_length(q));
+  const bool has_length = length > 1e-6 && length < 1e6;
+  note("no rotation", what +
+                          (has_length ? "of length " + significant(length, 9) + " is logged divided by its length"
+                                      : "that is no rotation is logged as none") +
+                          "; channels " + std::string(kToldPrefix) + channels + " keep what was told");
+  return has_length ? sim::Quat{q.w / length, q.x / length, q.y / length, q.z / length} : sim::Quat();
+}
+
+void StreamBodies::tell_turn(std::uint64_t id, const std::string& name, const sim::Quat& q) {
+  tell(id, name + ".w", q.w);
+  tell(id, name + ".x", q.x);
+  tell(id, name + ".y", q.y);
+  tell(id, name + ".z", q.z);
+}
+
+void StreamBodies::add_untold(StreamStep& step) {
+  for (const StreamState& told : step.states) thrown_beyond_.erase(told.id);
+  for (const std::uint64_t id : std::exchange(thrown_beyond_, {})) {
+    if (last_.contains(id)) step.states.push_back({id, true});
+  }
+}
+
+void StreamBodies::tell_turns() {
+  for (const auto& [id, turn] : odd_turns_) tell_turn(id, "state.orientation", turn);
+}
+
 void StreamBodies::keep_rotation(sim::BoxDef& box) {
   const sim::Quat q = box.orientation;
-  const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  if (std::fabs(length - 1) <= EngineState::kLengthOffMax) return;
+  odd_turns_.erase(box.id);
+  if (std::fabs(std::sqrt(sim::squared_length(q)) - 1) <= EngineState::kLengthOffMax) return;
   const std::string named = "body " + std::to_string(box.id) + ": an orientation at its start ";
   const bool is_finite = std::isfinite(q.w + q.x + q.y + q.z);
   if (!is_finite && in_start_) {
@@ -172,16 +207,13 @@ void StreamBodies::keep_rotation(sim::BoxDef& box) {
     note("no rotation", named + "that is no rotation is logged as none; the state of step 0 keeps what was told");
     return;
   }
-  const bool has_length = length > 1e-6 && length < 1e6;
-  box.orientation = has_length ? sim::Quat{q.w / length, q.x / length, q.y / length, q.z / length} : sim::Quat();
-  note("no rotation", named +
-                          (has_length ? "of length " + significant(length, 9) + " is logged divided by its length"
-                                      : "that is no rotation is logged as none") +
-                          "; channels told.orientation keep what was told");
-  tell(box.id, "orientation.w", q.w);
-  tell(box.id, "orientation.x", q.x);
-  tell(box.id, "orientation.y", q.y);
-  tell(box.id, "orientation.z", q.z);
+  box.orientation = kept_turn(q, named, "orientation");
+  tell_turn(box.id, "orientation", q);
+  if (!is_finite) {
+    thrown_beyond_.insert(box.id);
+    return;
+  }
+  odd_turns_[box.id] = q;
   last_[box.id].orientation = box.orientation;  // for records of kind "same"
   for (auto& [id, state] : start_states_) {
     if (id == box.id) state.orientation = box.orientation;
@@ -196,6 +228,8 @@ std::vector<std::pair<sim::BodyId, EngineState>> StreamBodies::end_start() {
 ToldValues StreamBodies::cut(StreamStep& step) {
   keep_sizes(step);
   for (const StreamInput& input : step.inputs) (void)command(input);
+  for (const StreamState& told : step.states) (void)state(told, step.step);
+  if (!in_start_) tell_turns();
   return take_told();
 }
 

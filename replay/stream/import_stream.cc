@@ -163,20 +163,22 @@ class StreamImporter {
     return bad_input(place(stream_, frame) + ": " + done.error().message);
   }
 
-  Status tell(EngineLog& log, const StreamStep& step) {
+  Status tell(EngineLog& log, StreamStep& step) {
     for (const StreamInput& input : step.inputs) {
       const std::optional<sim::Command> command = bodies_.command(input);
       if (!command) continue;
       if (Status ok = log.input(*command); !ok.ok()) return ok;
       if (Status ok = describe(log, input); !ok.ok()) return ok;
     }
+    bodies_.add_untold(step);
     for (const StreamState& told : step.states) {
-      const Result<EngineState> state = bodies_.state(told);
+      const Result<EngineState> state = bodies_.state(told, step.step);
       if (!state.ok()) return state.error();
       if (Status ok = log.set_state(told.id, *state); !ok.ok()) return ok;
       bodies_.note_not_finite(told, step.step);
       bodies_.look_at(told.id, step.step, step.dt, *state);
     }
+    bodies_.tell_turns();
     if (Status ok = tell_phases(log, step); !ok.ok()) return ok;
     if (Status ok = extras_.tell(log, step, bodies_.axes(), bodies_.take_told()); !ok.ok()) return ok;
     if (Status ok = tell_snapshots(log, step.step); !ok.ok()) return ok;

@@ -99,22 +99,36 @@ Result<StreamStep> decoded(const StreamReader& stream, const StreamFrame& frame)
   return decode_stream_step(frame.kind, *payload, stream.name() + ": byte " + std::to_string(frame.offset));
 }
 
+/// A record "same" of a body that was woken is of its last state, but awake.
+bool wakes(const StreamStep& step, std::uint64_t id) {
+  return std::ranges::any_of(step.inputs, [id](const StreamInput& input) {
+    const auto* push = std::get_if<StreamPush>(&input);
+    const auto* set = std::get_if<StreamSetVelocity>(&input);
+    return (push != nullptr && push->id == id) || (set != nullptr && set->id == id);
+  });
+}
+
 /// The last state of a body before a frame that a rewind took back. None where a later rewind replaced the steps that
 /// would tell.
 Result<std::optional<StreamState>> state_before(const StreamReader& stream, const StreamFrame& frame,
                                                 std::uint64_t id) {
   const std::vector<StreamFrame>& steps = stream.steps();
+  bool woken = false;
   for (std::size_t at = steps.size(); at-- > 0;) {
     if (steps[at].step >= frame.step) continue;
     if (steps[at].offset > frame.offset) break;
     const Result<StreamStep> step = decoded(stream, steps[at]);
     if (!step.ok()) return step.error();
-    for (const StreamState& state : step->states) {
-      if (state.id == id && !state.same) return std::optional(state);
+    for (StreamState state : step->states) {
+      if (state.id != id || state.same) continue;
+      state.asleep = state.asleep && !woken;
+      return std::optional(state);
     }
+    woken = woken || wakes(*step, id);
     for (const StreamInput& input : step->inputs) {
       const auto* body = std::get_if<StreamBody>(&input);
-      if (body != nullptr && body->id == id) return std::optional(StreamState{id, false, body->asleep, body->numbers});
+      if (body != nullptr && body->id == id)
+        return std::optional(StreamState{id, false, body->asleep && !woken, body->numbers});
     }
   }
   return std::optional<StreamState>();
@@ -136,36 +150,34 @@ class Rewound {
  public:
   explicit Rewound(const StreamReader& stream) : stream_(stream) {}
 
-  /// The first body whose state differs. A body without a number in a frame is as before that frame, and up to there
-  /// both sides are equal.
+  /// The first body whose state differs. A body without a state or a number in a frame is as before that frame, and up
+  /// to there both sides are equal.
   Result<Found> state_difference(const StreamFrame& frame, const StreamStep& before, const StreamStep& after) {
-    const States a = states_of(before), b = states_of(after);
-    for (const auto& [id, state] : a) {
-      const auto other = b.find(id);
-      if (other == b.end()) return Found({before.step, id, "bodies", "recorded", "not recorded"});
-      Result<Found> found = body_difference(frame, state, other->second);
-      if (!found.ok() || *found) return found;
-    }
+    States a = states_of(before), b = states_of(after);
+    for (const auto& [id, state] : a) b.try_emplace(id, StreamState{id, true});
     for (const auto& [id, state] : b) {
-      if (!a.contains(id)) return Found({before.step, id, "bodies", "not recorded", "recorded"});
+      const StreamState was = a.try_emplace(id, StreamState{id, true}).first->second;
+      Result<Found> found = body_difference(frame, was, state, wakes(after, id));
+      if (!found.ok() || *found) return found;
     }
     return Found();
   }
 
  private:
-  Result<Found> body_difference(const StreamFrame& frame, StreamState before, StreamState after) {
+  Result<Found> body_difference(const StreamFrame& frame, StreamState before, StreamState after, bool woken) {
     if (before.same && after.same) return Found();
     for (StreamState* state : {&before, &after}) {
       if (!state->same) continue;
       const auto known = known_.find(state->id);
       if (known != known_.end()) {
         *state = known->second;
-        continue;
+      } else {
+        const Result<std::optional<StreamState>> earlier = state_before(stream_, frame, state->id);
+        if (!earlier.ok()) return earlier.error();
+        if (!*earlier) return Found();
+        *state = **earlier;
       }
-      const Result<std::optional<StreamState>> earlier = state_before(stream_, frame, state->id);
-      if (!earlier.ok()) return earlier.error();
-      if (!*earlier) return Found();
-      *state = **earlier;
+      state->asleep = state->asleep && !woken;
     }
     known_[after.id] = after;
     return field_difference(frame.step, before, after);

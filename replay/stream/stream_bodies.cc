@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "replay/format/limits.h"
+#include "replay/log/told_bodies.h"
 #include "replay/stream/stream_names.h"
 #include "src/base/text.h"
 #include "tumble/sim/limits.h"
@@ -144,14 +145,26 @@ std::optional<StreamBodies::Description> StreamBodies::describe(const StreamBody
   return found;
 }
 
+/// A record "same" of a body that was woken is of its last state, but awake.
+void StreamBodies::wake(std::uint64_t id) {
+  const auto last = last_.find(id);
+  if (last != last_.end()) last->second.frozen = false;
+}
+
 std::optional<sim::Command> StreamBodies::command(const StreamInput& input) {
   if (const auto* body = std::get_if<StreamBody>(&input)) return sim::Throw{add(*body)};
   if (const auto* removed = std::get_if<StreamRemove>(&input)) {
     last_.erase(removed->id);
+    odd_turns_.erase(removed->id);
     return sim::Remove{removed->id};
   }
-  if (const auto* push = std::get_if<StreamPush>(&input)) return sim::Push{push->id, axes_.length(push->impulse)};
+  if (const auto* push = std::get_if<StreamPush>(&input)) {
+    wake(push->id);
+    const Range impulse = {"an impulse of a push", " N s", "push", -sim::kMassMax, sim::kMassMax, 0};
+    return sim::Push{push->id, within(push->id, impulse, axes_.length(push->impulse))};
+  }
   if (const auto* set = std::get_if<StreamSetVelocity>(&input)) {
+    wake(set->id);
     const Range velocity = {"a velocity that was set", " m/s", "set_velocity", -sim::kSpeedMax, sim::kSpeedMax, 0};
     const Range spin = {"an angular velocity that was set", " rad/s", "set_spin", -sim::kSpeedMax, sim::kSpeedMax, 0};
     return sim::SetVelocity{set->id, within(set->id, velocity, axes_.length(set->velocity)),
@@ -161,12 +174,20 @@ std::optional<sim::Command> StreamBodies::command(const StreamInput& input) {
   return std::nullopt;
 }
 
-Result<EngineState> StreamBodies::state(const StreamState& state) {
+Result<EngineState> StreamBodies::state(const StreamState& state, std::uint64_t step) {
   const auto last = last_.find(state.id);
   if (last == last_.end()) {
     return bad_input("found a state of body " + std::to_string(state.id) + ", wanted the id of a body that exists");
   }
-  if (!state.same) last->second = converted(state.numbers, state.asleep);
+  if (state.same) return last->second;
+  last->second = converted(state.numbers, state.asleep);
+  odd_turns_.erase(state.id);
+  sim::Quat& turn = last->second.orientation;
+  if (!check_rotation(state.id, turn, EngineState::kLengthOffMax).ok()) {
+    odd_turns_[state.id] = turn;
+    turn = kept_turn(turn, "step " + std::to_string(step) + ": body " + std::to_string(state.id) + ": an orientation ",
+                     "state.orientation");
+  }
   return last->second;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,8 +52,16 @@ class StreamBodies {
   };
   [[nodiscard]] std::optional<Description> describe(const StreamBody& body) const;
 
-  /// The state that a record tells. Errors (kBadInput): "same" of a body that had no state.
-  Result<EngineState> state(const StreamState& state);
+  /// The state after `step` that a record tells. An orientation that is finite and no rotation is divided by its
+  /// length, or none. Errors (kBadInput): "same" of a body that had no state.
+  Result<EngineState> state(const StreamState& state, std::uint64_t step);
+
+  /// Adds a record "same" of each body that appeared in a step with a motion that no scene can hold and has no state in
+  /// it: that of a static body and of one that sleeps is as it was told.
+  void add_untold(StreamStep& step);
+
+  /// Keeps what was told of the orientations that are no rotations in the step whose states were told last.
+  void tell_turns();
 
   /// A name as the log has it, of which a note tells where it is another. what: "body 9: the name".
   std::string kept_name(const std::string& what, const std::string& name);
@@ -89,6 +98,7 @@ class StreamBodies {
   };
   /// component: of a vector, behind the name; else empty.
   void tell(std::uint64_t id, const std::string& name, double value);
+  void tell_turn(std::uint64_t id, const std::string& name, const sim::Quat& q);
   /// id 0: of the world.
   void note_cut(std::uint64_t id, const Range& range, const char* component, double value, double cut);
   /// The value, or the nearest that a log can hold, with a note.
@@ -99,16 +109,21 @@ class StreamBodies {
   void keep_within(sim::BoxDef& box);
   void keep_motion_within(sim::BoxDef& box);
   void keep_rotation(sim::BoxDef& box);
+  /// An orientation that a log can hold, of one whose length is too far from 1. what: the body, and where it has it.
+  sim::Quat kept_turn(const sim::Quat& q, const std::string& what, const char* channels);
+  void wake(std::uint64_t id);
   void note(const char* kind, std::string text);
   /// Notes where another body has the name already.
   void call(std::uint64_t id, const std::string& name);
 
   EngineAxes axes_;
   std::map<std::uint64_t, EngineState> last_;
-  std::map<std::uint64_t, double> edges_;       // m, the longest of each body
-  std::map<std::uint64_t, std::string> names_;  // of bodies that have one
-  std::map<std::string, std::uint64_t> named_;  // the first body of each name
-  std::map<std::uint64_t, StreamMesh> meshes_;  // by hash
+  std::set<std::uint64_t> thrown_beyond_;         // in the open step, with motions that were cut
+  std::map<std::uint64_t, sim::Quat> odd_turns_;  // of the bodies in last_ that have another one there
+  std::map<std::uint64_t, double> edges_;         // m, the longest of each body
+  std::map<std::uint64_t, std::string> names_;    // of bodies that have one
+  std::map<std::string, std::uint64_t> named_;    // the first body of each name
+  std::map<std::uint64_t, StreamMesh> meshes_;    // by hash
   /// The first few notes of one kind, and the number of all.
   struct Notes {
     std::string kind;

@@ -9,6 +9,7 @@
 
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
+#include "replay/stream/stream_contacts.h"
 #include "replay/stream/stream_cursor.h"
 #include "replay/stream/stream_names.h"
 #include "src/base/text.h"
@@ -108,6 +109,7 @@ void StreamExtras::survey(const StreamStep& step) {
   for (const StreamContact& contact : step.contacts) {
     if (contact.points.empty()) contacts_.without_points(step.step, contact.a, contact.b);
   }
+  add_contact_channels(step, contact_channels_);
   for (const StreamValue& value : step.values) {
     const auto found = found_.find(value.channel);
     if (found != found_.end() && value.type < kBytes) found->second.count = std::max(found->second.count, value.count);
@@ -124,9 +126,10 @@ void StreamExtras::survey(const StreamStep& step) {
 }
 
 void StreamExtras::note_renamed(const char* what, const std::string& name, const std::string& now) {
-  notes_.push_back(std::string(what) + " " + in_quotes(name) + " is logged as channel " + in_quotes(now) +
-                   ", for a log has each name once, in at most " + std::to_string(kStreamNameBytesMax) +
-                   " bytes of text without '='");
+  const bool reads_alike = in_quotes(name) == in_quotes(now);  // each byte that is no text reads as ?
+  notes_.push_back(std::string(what) + " " + (reads_alike ? "of bytes that are no text" : in_quotes(name)) +
+                   " is logged as channel " + in_quotes(now) + ", for a log has each name once, in at most " +
+                   std::to_string(kStreamNameBytesMax) + " bytes of text without '='");
 }
 
 std::uint32_t StreamExtras::parts_of(const Found& found) {
@@ -172,7 +175,7 @@ Status StreamExtras::add_rows(const StreamValue& value, std::vector<Row>& rows) 
   return {};
 }
 
-Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& step) const {
+Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& step, const EngineAxes& axes) const {
   std::vector<Row> rows;
   InputNames names;
   std::map<std::pair<std::string, sim::BodyId>, std::string> inputs;
@@ -180,7 +183,9 @@ Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& s
     const auto* named = std::get_if<StreamNamedInput>(&input);
     if (named != nullptr) inputs[{names.name(*named), named->body}] += named->bytes;
   }
-  rows.reserve(inputs.size() + step.values.size());
+  const auto contacts = contacts_told(step, axes);
+  rows.reserve(inputs.size() + step.values.size() + contacts.size());
+  for (const auto& [key, bytes] : contacts) rows.push_back({key.first, key.second, bytes});
   for (const auto& [key, bytes] : inputs) rows.push_back({key.first, {key.second, 0}, bytes});
   for (const StreamValue& value : step.values) {
     if (Status ok = add_rows(value, rows); !ok.ok()) return ok.error();
@@ -191,7 +196,7 @@ Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& s
 /// A log has room for kChannelsMax channels: while there are more, those with the most numbers a value become one of
 /// bytes each.
 void StreamExtras::fit() {
-  std::size_t channels = named_inputs_.size() + told_.size();
+  std::size_t channels = named_inputs_.size() + told_.size() + contact_channels_.size();
   for (const auto& [number, found] : found_) channels += parts_of(found);
   std::size_t joined = 0;
   while (channels > kChannelsMax) {
@@ -222,6 +227,8 @@ Result<Declared> StreamExtras::declare(const StreamStep& start, const EngineAxes
   std::set<std::string> taken;
   for (std::string& name : told_names()) taken.insert(std::move(name));
   fit();
+  taken.insert(told_.begin(), told_.end());
+  taken.insert({kPairContacts, kGroundContacts});
   for (const auto& [name, type] : named_inputs_) taken.insert(name);
   for (auto& [number, found] : found_) {
     rename(found, taken);
@@ -233,12 +240,13 @@ Result<Declared> StreamExtras::declare(const StreamStep& start, const EngineAxes
     }
   }
   for (const auto& [name, type] : named_inputs_) declared.channels.push_back({name, type, {}});
+  for (const auto& [name, type] : contact_channels_) declared.channels.push_back({name, type, {}});
   for (const std::string& name : told_) declared.channels.push_back({name, told_type(name), {}});
   std::ranges::sort(declared.channels, {}, &Channel::name);
   for (std::size_t i = 0; i < declared.channels.size(); ++i) index_[declared.channels[i].name] = i;
 
   StepValues values(declared.channels);
-  const Result<std::vector<Row>> rows = rows_of(start);
+  const Result<std::vector<Row>> rows = rows_of(start, axes);
   if (!rows.ok()) return rows.error();
   for (const Row& row : *rows) {
     if (Status ok = values.set(index_.at(row.channel), row.value, row.key); !ok.ok()) return ok.error();
@@ -257,7 +265,7 @@ Status StreamExtras::tell(EngineLog& log, const StreamStep& step, const EngineAx
   for (const auto& [key, value] : told) {
     if (Status ok = log.set_value(index_.at(key.first), value, {key.second, 0}); !ok.ok()) return ok;
   }
-  const Result<std::vector<Row>> rows = rows_of(step);
+  const Result<std::vector<Row>> rows = rows_of(step, axes);
   if (!rows.ok()) return rows.error();
   for (const Row& row : *rows) {
     if (Status ok = log.set_value(index_.at(row.channel), row.value, row.key); !ok.ok()) return ok;
@@ -269,19 +277,6 @@ Status StreamExtras::tell(EngineLog& log, const StreamStep& step, const EngineAx
     if (Status ok = log.add_note(note); !ok.ok()) return ok;
   }
   return {};
-}
-
-std::vector<EngineContact> contacts_of(const StreamStep& step, const EngineAxes& axes) {
-  std::vector<EngineContact> contacts;
-  for (const StreamContact& contact : step.contacts) {
-    const sim::Vec3 normal = axes.direction(contact.normal);
-    for (const StreamPoint& point : contact.points) {
-      contacts.push_back({contact.a, contact.b, axes.length(point.position), normal, point.depth * axes.metres,
-                          point.impulse * axes.metres});
-    }
-  }
-  std::ranges::stable_sort(contacts, {}, [](const EngineContact& c) { return std::pair(c.a, c.b); });
-  return contacts;
 }
 
 }  // namespace tumble::replay

@@ -55,18 +55,16 @@ class StreamExtras {
   void fit();
   void rename(Found& found, std::set<std::string>& taken);
   void note_renamed(const char* what, const std::string& name, const std::string& now);
-  [[nodiscard]] Result<std::vector<Row>> rows_of(const StreamStep& step) const;
+  [[nodiscard]] Result<std::vector<Row>> rows_of(const StreamStep& step, const EngineAxes& axes) const;
   Status add_rows(const StreamValue& value, std::vector<Row>& rows) const;
 
   std::map<std::uint32_t, Found> found_;
   std::map<std::string, ChannelType> named_inputs_;  // by the channel's name
-  std::set<std::string> told_;                       // channels of told values that the log needs
-  std::map<std::string, std::size_t> index_;         // in the log
+  std::map<std::string, ChannelType> contact_channels_;
+  std::set<std::string> told_;                // channels of told values that the log needs
+  std::map<std::string, std::size_t> index_;  // in the log
   std::vector<std::string> notes_;
   ContactCheck contacts_;
 };
-
-/// The contact points of a step in SI units, z up.
-std::vector<EngineContact> contacts_of(const StreamStep& step, const EngineAxes& axes);
 
 }  // namespace tumble::replay

@@ -178,8 +178,10 @@ TEST(Refusals, AContactWithoutPointsIsNamedByTheImport) {
     EXPECT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
   }));
   ASSERT_TRUE(imported.ok()) << imported.error().message;
-  EXPECT_TRUE(mentions(imported->import.warnings,
-                       "step 2, contact of 1 and the ground: has no points, so the log does not hold it"));
+  EXPECT_TRUE(
+      mentions(imported->import.warnings,
+               "step 2, contact of 1 and the ground: has no points, so the log keeps it in a channel, told.contacts or "
+               "told.ground_contacts"));
 }
 
 /// Two steps with `channels` channels of `numbers` numbers a value.

@@ -56,6 +56,36 @@ TEST(RollbackCheck, NamesTheFirstStepBodyAndFieldThatCameOutOtherwise) {
   EXPECT_EQ(found.compared, 2U);
 }
 
+// A body that sleeps has no state in a step, but every body has one after a rewind.
+TEST(RollbackCheck, ASleeperThatTellsItsStateAgainIsNoDifference) {
+  const auto asleep = [](double off, bool is_pushed) {
+    return check(record(
+        2, 4,
+        [=](TumbleRec* rec) {
+          const double none[3] = {0, 0, 0};
+          const auto step = [&](std::uint64_t k, bool tells) {
+            if (is_pushed && k == 6) tumble_rec_push(rec, 2, none);
+            TumbleRecState one = state_at(1, k), two = state_at(2, 3);
+            two.asleep = is_pushed && k >= 6 ? 0 : 1;
+            two.position[2] += tells ? off : 0;
+            tumble_rec_step_begin(rec, 0.0625);
+            tumble_rec_state(rec, 1, &one);
+            if (tells || (is_pushed && k >= 6)) tumble_rec_state(rec, 2, &two);
+            ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+          };
+          for (std::uint64_t k = 5; k <= 7; ++k) step(k, false);
+          ASSERT_EQ(tumble_rec_rewind(rec, is_pushed ? 5 : 4), TUMBLE_REC_OK) << tumble_rec_message(rec);
+          for (std::uint64_t k = is_pushed ? 6 : 5; k <= 7; ++k) step(k, true);
+        },
+        [](TumbleRecDef& def) { def.rollback_steps = 4; }));
+  };
+  EXPECT_EQ(describe(asleep(0, false)), "3 steps taken again with equal inputs, all with equal results");
+  EXPECT_EQ(describe(asleep(0, true)), "2 steps taken again with equal inputs, all with equal results");
+  const replay::RollbackCheck moved = asleep(0.5, false);
+  ASSERT_TRUE(moved.first);
+  EXPECT_EQ(moved.first->field, "position.z");
+}
+
 TEST(RollbackCheck, OtherInputsAreNoFault) {
   const replay::RollbackCheck found = check(taken_again(0.5, 2));
   EXPECT_FALSE(found.first) << describe(found);

@@ -182,7 +182,7 @@ TEST(Channels, AnotherShapeIsNoIdentity) {
        std::vector<std::vector<std::string>>{{"diff", "a.tumble", "b.tumble"}, {"bisect", "a.tumble", "b.tumble"}}) {
     const Outcome outcome = shop.run(words);
     EXPECT_EQ(outcome.exit, 1) << outcome.out << outcome.err;
-    EXPECT_NE(outcome.out.find("only b.tumble has its shape of body 1"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("only b.tumble has this shape of body 1"), std::string::npos) << outcome.out;
   }
   import_ball(shop, "a", "capsule-z", "");
   const Outcome two = shop.run({"diff", "a.tumble", "b.tumble"});

@@ -96,7 +96,7 @@ TEST(EngineShapes, DiffNamesOneThatAppearsLater) {
   record_falling(shop, "b", "--late --sphere 3");
   const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
   EXPECT_EQ(diff.exit, 1) << diff.out;
-  EXPECT_TRUE(has(diff.out, "only b.tumble has its shape of body 3")) << diff.out;
+  EXPECT_TRUE(has(diff.out, "only b.tumble has this shape of body 3")) << diff.out;
   EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble"}).exit, 0);
 }
 
