@@ -4,18 +4,17 @@
 #include <array>
 #include <bit>
 #include <functional>
-#include <map>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "replay/stream/last_states.h"
 #include "replay/stream/stream_step.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
-
-using States = std::map<std::uint64_t, StreamState>;
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
@@ -87,51 +86,10 @@ std::string text_of(const RollbackDifference& found) {
   return found.before.empty() ? text : text + ": " + found.before + " → " + found.after;
 }
 
-States states_of(const StreamStep& step) {
-  States states;
+StreamStates states_of(const StreamStep& step) {
+  StreamStates states;
   for (const StreamState& state : step.states) states[state.id] = state;
   return states;
-}
-
-Result<StreamStep> decoded(const StreamReader& stream, const StreamFrame& frame) {
-  const Result<std::vector<std::byte>> payload = stream.read(frame);
-  if (!payload.ok()) return payload.error();
-  return decode_stream_step(frame.kind, *payload, stream.name() + ": byte " + std::to_string(frame.offset));
-}
-
-/// A record "same" of a body that was woken is of its last state, but awake.
-bool wakes(const StreamStep& step, std::uint64_t id) {
-  return std::ranges::any_of(step.inputs, [id](const StreamInput& input) {
-    const auto* push = std::get_if<StreamPush>(&input);
-    const auto* set = std::get_if<StreamSetVelocity>(&input);
-    return (push != nullptr && push->id == id) || (set != nullptr && set->id == id);
-  });
-}
-
-/// The last state of a body before a frame that a rewind took back. None where a later rewind replaced the steps that
-/// would tell.
-Result<std::optional<StreamState>> state_before(const StreamReader& stream, const StreamFrame& frame,
-                                                std::uint64_t id) {
-  const std::vector<StreamFrame>& steps = stream.steps();
-  bool woken = false;
-  for (std::size_t at = steps.size(); at-- > 0;) {
-    if (steps[at].step >= frame.step) continue;
-    if (steps[at].offset > frame.offset) break;
-    const Result<StreamStep> step = decoded(stream, steps[at]);
-    if (!step.ok()) return step.error();
-    for (StreamState state : step->states) {
-      if (state.id != id || state.same) continue;
-      state.asleep = state.asleep && !woken;
-      return std::optional(state);
-    }
-    woken = woken || wakes(*step, id);
-    for (const StreamInput& input : step->inputs) {
-      const auto* body = std::get_if<StreamBody>(&input);
-      if (body != nullptr && body->id == id)
-        return std::optional(StreamState{id, false, body->asleep && !woken, body->numbers});
-    }
-  }
-  return std::optional<StreamState>();
 }
 
 std::optional<RollbackDifference> field_difference(std::uint64_t step, const StreamState& a, const StreamState& b) {
@@ -148,43 +106,42 @@ using Found = std::optional<RollbackDifference>;
 /// Steps taken again after one rewind, compared with those before it.
 class Rewound {
  public:
-  explicit Rewound(const StreamReader& stream) : stream_(stream) {}
+  explicit Rewound(LastStates& last) : last_(last) {}
 
   /// The first body whose state differs. A body without a state or a number in a frame is as before that frame, and up
   /// to there both sides are equal.
   Result<Found> state_difference(const StreamFrame& frame, const StreamStep& before, const StreamStep& after) {
-    States a = states_of(before), b = states_of(after);
+    StreamStates a = states_of(before), b = states_of(after);
     for (const auto& [id, state] : a) b.try_emplace(id, StreamState{id, true});
+    std::set<std::uint64_t> unknown;
     for (const auto& [id, state] : b) {
-      const StreamState was = a.try_emplace(id, StreamState{id, true}).first->second;
-      Result<Found> found = body_difference(frame, was, state, wakes(after, id));
-      if (!found.ok() || *found) return found;
+      const StreamState& was = a.try_emplace(id, StreamState{id, true}).first->second;
+      if (was.same != state.same && !known_.contains(id)) unknown.insert(id);
+    }
+    if (Status ok = last_.get().find(frame, unknown, known_); !ok.ok()) return ok.error();
+    for (const auto& [id, state] : b) {
+      Found found = body_difference(frame.step, a.at(id), state, wakes(after, id));
+      if (found) return found;
     }
     return Found();
   }
 
  private:
-  Result<Found> body_difference(const StreamFrame& frame, StreamState before, StreamState after, bool woken) {
-    if (before.same && after.same) return Found();
+  Found body_difference(std::uint64_t step, StreamState before, StreamState after, bool woken) {
+    if (const auto known = known_.find(after.id); woken && known != known_.end()) known->second.asleep = false;
+    if (before.same && after.same) return {};
     for (StreamState* state : {&before, &after}) {
       if (!state->same) continue;
       const auto known = known_.find(state->id);
-      if (known != known_.end()) {
-        *state = known->second;
-      } else {
-        const Result<std::optional<StreamState>> earlier = state_before(stream_, frame, state->id);
-        if (!earlier.ok()) return earlier.error();
-        if (!*earlier) return Found();
-        *state = **earlier;
-      }
-      state->asleep = state->asleep && !woken;
+      if (known == known_.end()) return {};
+      *state = known->second;
     }
     known_[after.id] = after;
-    return field_difference(frame.step, before, after);
+    return field_difference(step, before, after);
   }
 
-  std::reference_wrapper<const StreamReader> stream_;
-  States known_;  // since the rewind
+  std::reference_wrapper<LastStates> last_;
+  StreamStates known_;  // since the rewind, and before it where one side had none
 };
 
 bool same_contacts(const StreamStep& a, const StreamStep& b) {
@@ -221,12 +178,12 @@ namespace {
 /// One rewind's steps in turn.
 class Check {
  public:
-  explicit Check(const StreamReader& stream) : stream_(stream), rewound_(stream) {}
+  explicit Check(const StreamReader& stream) : stream_(stream), last_(stream), rewound_(last_) {}
 
   Status add(const SupersededStep& pair) {
     if (pair.after.step != next_) {  // of another rewind
       behind_.clear();
-      rewound_ = Rewound(stream_);
+      rewound_ = Rewound(last_);
     }
     next_ = pair.after.step + 1;
     if (!behind_.empty()) return pass_over(pair, behind_);
@@ -264,6 +221,7 @@ class Check {
   RollbackCheck found_;
   std::uint64_t next_ = 0;  // the step that would go on with the steps taken again after one rewind
   std::string behind_;      // why the steps of this rewind are compared no more; empty: they are
+  LastStates last_;
   Rewound rewound_;
 };
 

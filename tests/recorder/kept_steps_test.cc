@@ -212,5 +212,43 @@ TEST(KeptSteps, GravityWakesNobody) {
   EXPECT_EQ((*step)->states.frozen, (std::vector<std::uint8_t>{0, 1}));
 }
 
+// Two pushes of one body in a step that no log holds: both are told.
+TEST(KeptSteps, TheSecondOfTwoValuesDoesNotReplaceTheFirst) {
+  const Result<Imported> got = import_bytes(record(1, 1, [](TumbleRec* rec) {
+    const TumbleRecState state = state_at(1, 2);
+    for (const double push : {1e13, kNan, 5.0}) {
+      const double impulse[3] = {push, 0, 0};
+      ASSERT_EQ(tumble_rec_push(rec, 1, impulse), TUMBLE_REC_OK);
+    }
+    ASSERT_EQ(tumble_rec_step_begin(rec, 0.0625), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_state(rec, 1, &state), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+  }));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->import.refused, "");
+  std::vector<std::string> names;
+  for (const replay::Channel& channel : got->log.header().declared.channels) names.push_back(channel.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"told.push.x", "told.push.x#2"}));
+}
+
+// A value of bytes may have as many as a record of the stream.
+TEST(KeptSteps, ALargeValueEndsNoSession) {
+  const std::string bytes(3 << 20, 'b');
+  Result<Imported> got = import_bytes(record(1, 1, [&](TumbleRec* rec) {
+    std::uint32_t channel = 0;
+    ASSERT_EQ(tumble_rec_channel(rec, "frame", TUMBLE_REC_WORLD, TUMBLE_REC_BYTES, &channel), TUMBLE_REC_OK);
+    const TumbleRecState state = state_at(1, 2);
+    ASSERT_EQ(tumble_rec_step_begin(rec, 0.0625), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_state(rec, 1, &state), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_value(rec, channel, 0, 0, bytes.data(), static_cast<std::uint32_t>(bytes.size())), 0);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+  }));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->import.refused, "");
+  const Result<const replay::StepRecord*> step = got->log.read_step(2);
+  ASSERT_TRUE(step.ok()) << step.error().message;
+  EXPECT_EQ((*step)->extras.values(0).bytes, std::vector<std::string>{bytes});
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -18,6 +18,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 struct Told {
   double x = 0, mass = 1, size = 1, friction = 0.5, gravity = -10, turn = 1;
   double dt_of_7 = 0.0625;
+  double push_in_5 = 0, turn_in_5 = 1;  // 0: none
+  double normal = 0;                    // of a contact with the ground in step 6, along x; 0: no contact
+  std::uint32_t part = 0, points = 0;   // of it
   const char* name = "box";
   const char* phases = "find,solve";
   int precision = 53;
@@ -49,12 +52,17 @@ void write_session(const Workshop& shop, const std::string& file, const Told& to
   body.state.orientation[0] = told.turn;
   tumble_rec_body(rec, &body);
   for (int k = 1; k <= 10; ++k) {
+    const double push[3] = {told.push_in_5, 0, 0};
+    if (k == 5 && told.push_in_5 != 0) tumble_rec_push(rec, 1, push);
     tumble_rec_step_begin(rec, k == 7 ? told.dt_of_7 : 0.0625);
     TumbleRecState state = body.state;
     state.position[0] = 0;
     state.position[2] -= 0.125 * k;
-    state.orientation[0] = 1;
+    state.orientation[0] = k == 5 ? told.turn_in_5 : 1;
     tumble_rec_state(rec, 1, &state);
+    const TumbleRecPoint point = {};
+    const TumbleRecContact contact = {1, 0, told.part, {told.normal, 0, 0}, &point, told.points};
+    if (k == 6 && told.normal != 0) tumble_rec_contact(rec, &contact);
     for (std::uint32_t phase = 0; told.phases != nullptr && phase < 2; ++phase) {
       tumble_rec_phase_hash(rec, phase, static_cast<std::uint64_t>(100 * k) + phase);
     }
@@ -107,6 +115,20 @@ TEST(ToldOtherwise, TwoSessionsThatWereToldDifferentValuesDiffer) {
   differ({.gravity = kNan}, {.gravity = 0}, "told.gravity");
   differ({.turn = 0.5}, {.turn = 1}, "told.orientation");
   differ({.turn = 0}, {.turn = 0.5}, "told.orientation");
+  differ({.turn_in_5 = 1.02}, {.turn_in_5 = 1.5}, "told.state.orientation.w");
+  differ({.turn_in_5 = 1.02}, {}, "told.state.orientation.w");
+  differ({.push_in_5 = kNan}, {.push_in_5 = 1}, "told.push.x");
+  differ({.push_in_5 = 1e13}, {.push_in_5 = 1e14}, "told.push.x");
+  differ({.normal = 1}, {.normal = -1}, "told.ground_contacts");
+  differ({.normal = 1}, {}, "told.ground_contacts");
+  differ({.normal = 1, .part = 1, .points = 1}, {.normal = 1, .part = 2, .points = 1}, "told.ground_contacts");
+}
+
+TEST(ToldOtherwise, ContactsOfPointsAloneNeedNoChannel) {
+  const Workshop shop;
+  import_session(shop, "a", {.normal = 1, .points = 1});
+  const Outcome info = shop.run({"info", "a.tumble"});
+  EXPECT_FALSE(has(info.out, "told.")) << info.out;
 }
 
 TEST(ToldOtherwise, StateZeroIsAsTold) {
@@ -126,8 +148,9 @@ TEST(ToldOtherwise, WhatWasCutIsSaid) {
 }
 
 TEST(ToldOtherwise, WhatCannotBeIsNotBlessed) {
-  for (const Told& told : {Told{.x = kNan}, Told{.mass = kNan}, Told{.mass = -1}, Told{.gravity = kNan},
-                           Told{.turn = 0.5}, Told{.friction = -1}, Told{.size = kNan}}) {
+  for (const Told& told :
+       {Told{.x = kNan}, Told{.mass = kNan}, Told{.mass = -1}, Told{.gravity = kNan}, Told{.turn = 0.5},
+        Told{.friction = -1}, Told{.size = kNan}, Told{.push_in_5 = kNan}, Told{.turn_in_5 = 1.02}}) {
     const Workshop shop;
     make_case(shop);
     write_session(shop, "s.tumblestream", told);
@@ -158,6 +181,7 @@ TEST(ToldOtherwise, CheckFailsAsDiffSays) {
   fails({.phases = nullptr}, "phase hashes: find, solve → none");
   fails({.phases = "find,push"}, "phase hashes: find, solve → find, push");
   fails({.dt_of_7 = 0.125}, "before step 7, dt: 0.0625 → 0.125");
+  fails({.normal = 1}, "told.ground_contacts");
   write_session(shop, "s.tumblestream", {});
   EXPECT_EQ(shop.run({"check", "--report", "r"}).exit, 0);
 }
