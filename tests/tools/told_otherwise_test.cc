@@ -117,7 +117,7 @@ TEST(ToldOtherwise, TwoSessionsThatWereToldDifferentValuesDiffer) {
   differ({.turn = 0}, {.turn = 0.5}, "told.orientation");
   differ({.turn_in_5 = 1.02}, {.turn_in_5 = 1.5}, "told.state.orientation.w");
   differ({.turn_in_5 = 1.02}, {}, "told.state.orientation.w");
-  differ({.push_in_5 = kNan}, {.push_in_5 = 1}, "told.push.x");
+  differ({.push_in_5 = kNan}, {.push_in_5 = 1}, "impulse.x");
   differ({.push_in_5 = 1e13}, {.push_in_5 = 1e14}, "told.push.x");
   differ({.normal = 1}, {.normal = -1}, "told.ground_contacts");
   differ({.normal = 1}, {}, "told.ground_contacts");
