@@ -289,7 +289,7 @@ std::string OnlyInOne::text(const std::string& name_a, const std::string& name_b
   std::vector<std::string> in_a, in_both, in_b = b;  // what both have are shapes, others in each
   for (const std::string& part : a) (std::ranges::count(b, part) > 0 ? in_both : in_a).push_back(part);
   std::erase_if(in_b, [&](const std::string& part) { return std::ranges::count(a, part) > 0; });
-  for (std::string& part : in_both) part.replace(0, std::string_view("its").size(), "the");
+  for (std::string& part : in_both) part.replace(0, std::string_view("this").size(), "the");
   std::string words;
   say(in_both, "the two differ in ", words);
   say(in_a, "only " + name_a + " has ", words);
