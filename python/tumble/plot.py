@@ -52,9 +52,24 @@ def heights(log, bodies=None, axes=None):
     return axes
 
 
+def _largest_distance(one, other, step):
+    """Between the two places of a body that both logs have in a step, m; infinite where a place is no finite number,
+    NaN where a log lost the step."""
+    if not (one._file.holds(step) and other._file.holds(step)):
+        return numpy.nan
+    a, b = one.steps[step], other.steps[step]
+    _, rows_a, rows_b = numpy.intersect1d(a.ids, b.ids, assume_unique=True, return_indices=True)
+    places_a, places_b = a.position[rows_a], b.position[rows_b]
+    if not (numpy.isfinite(places_a).all() and numpy.isfinite(places_b).all()):
+        return numpy.inf
+    x, y, z = (places_a - places_b).T
+    return numpy.hypot(numpy.hypot(x, y), z).max(initial=0.0)  # hypot: a square of 1e-200 m would vanish
+
+
 def separation(a, b, axes=None, report=None):
-    """How far each step of two logs is apart: the largest distance between a body's two places, m, over the steps, on a
-    logarithmic scale, with the first different step marked. report: what `diff` said of the two, if it was asked."""
+    """How far each step of two logs is apart: the largest distance between the two places of a body that both have in
+    the step, m, over the steps, on a logarithmic scale, with the first different step marked. A body that one log alone
+    has in a step has no distance there. report: what `diff` said of the two, if it was asked."""
     one, other = _log(a), _log(b)
     report = diff(one, other) if report is None else report
     if not isinstance(report, DiffReport):
@@ -62,14 +77,12 @@ def separation(a, b, axes=None, report=None):
     first = max(one.first_step, other.first_step)
     last = min(one.last_step, other.last_step)
     steps = numpy.arange(first, last + 1)
-    ids = numpy.intersect1d(one.steps[first].ids, other.steps[first].ids)
-    gap = one.position.of(ids)[first : last + 1] - other.position.of(ids)[first : last + 1]
-    distance = numpy.nanmax(numpy.sqrt((gap**2).sum(axis=2)), axis=1, initial=0.0)
+    distance = numpy.array([_largest_distance(one, other, step) for step in range(first, last + 1)])
     axes = _axes(axes)
-    apart = distance > 0
+    apart = (distance > 0) | numpy.isnan(distance)  # a step that was lost leaves a gap in the line
     axes.plot(steps[apart], distance[apart])
     axes.set(xlabel="step", ylabel="largest distance, m", title=f"{one.scene}: where two logs part")
-    if apart.any():
+    if (distance > 0).any():
         axes.set_yscale("log")
     if report.first is not None:
         axes.axvline(report.first.step, linestyle="--", linewidth=1, label=f"first difference: step {report.first.step}")
