@@ -33,6 +33,16 @@ Result<std::shared_ptr<StateBlock>> states_from(replay::StateSource& source, std
   return std::make_shared<StateBlock>(block_of((*record)->states));
 }
 
+/// Whether nothing is missing, and in words. A log without damage may hold a session that was cut short.
+std::pair<bool, std::string> condition_of(const replay::LogReader& log) {
+  const replay::LogCondition& condition = log.condition();
+  const std::string& cut_short = log.header().declared.cut_short;
+  std::string text = condition.summary(log.last_step());
+  if (cut_short.empty()) return {condition.whole(), text};
+  const std::string gone_on = "its session may have gone on: " + cut_short;
+  return {false, condition.whole() ? gone_on : text + "; " + gone_on};
+}
+
 }  // namespace
 
 StateBlock block_of(const replay::BodyStates& states) {
@@ -92,11 +102,7 @@ void add_log(py::module_& module) {
   const auto chain = [](LogFile& log, std::uint64_t k) {
     return to_string(take(log.read([&](replay::LogReader& reader) { return reader.chain_at(k); })));
   };
-  const auto condition = [](LogFile& log) {
-    return log.read([](replay::LogReader& reader) {
-      return std::pair(reader.condition().whole(), reader.condition().summary(reader.last_step()));
-    });
-  };
+  const auto condition = [](LogFile& log) { return log.read(condition_of); };
   const auto holds = [](LogFile& log, std::uint64_t k) {
     return log.read([&](replay::LogReader& reader) {
       return k >= reader.first_state() && k <= reader.last_step() && reader.holds(k);

@@ -82,6 +82,7 @@ py::dict header_dict(const LogFile& log) {
   fields["axes"] = to_string(header.axes());
   fields["channels"] = channels_of(header.declared);
   fields["missing"] = missing_of(header);
+  fields["cut_short"] = text_of_bytes(header.declared.cut_short);
   fields["states"] = to_string(header.states);
   fields["hashes"] = to_string(header.hashes);
   py::list phases;

@@ -115,12 +115,14 @@ class Log:
 
     @property
     def whole(self):
-        """Whether opening found the log complete and without damage; `tumble info` checks every byte."""
+        """Whether opening found the log complete, without damage, and of a session that came to its end; `tumble info`
+        checks every byte."""
         return self._file.condition()[0]
 
     @property
     def condition(self):
-        """The same in words: "whole", "torn at byte 8123 ..."."""
+        """The same in words: "whole", "torn: complete up to byte 8123 ...", "its session may have gone on: ..." (why:
+        ``log.header["cut_short"]``)."""
         return self._file.condition()[1]
 
     @property

@@ -6,6 +6,7 @@ import numpy
 import pytest
 
 import tumble
+from conftest import CASES
 
 
 def recorder(path):
@@ -22,7 +23,11 @@ def test_a_log_keeps_why_it_ends(tmp_path):
     def reason():
         with tumble.Log(path) as log:
             assert log.last_step == 1
-            return tumble.diff(path, path).notes
+            notes = tumble.diff(path, path).notes
+            assert log.whole == (not notes), "as the reports say"
+            assert log.condition == (notes[0].removeprefix(f"{path}: ") if notes else "whole")
+            assert log.condition.removeprefix("its session may have gone on: ") == (log.header["cut_short"] or "whole")
+            return notes
 
     with pytest.raises(ZeroDivisionError), recorder(path) as log:
         log.step(**zeros())
@@ -73,3 +78,14 @@ def test_what_closing_says_is_not_lost_beside_an_exception(tmp_path, error):
     said = getattr(raised.value, "__notes__", []) + [str(one.message) for one in warned]
     assert raised.value is error
     assert len(said) == 1 and "cannot keep why it ends" in said[0]
+
+
+def test_a_recovered_log_without_its_end_is_not_whole(tmp_path):
+    torn, saved = tmp_path / "torn.tumble", tmp_path / "saved.tumble"
+    tumble.record(CASES / "layered_inputs" / "scene.toml", torn, steps=600, set={"world.freezing": False})
+    torn.write_bytes(torn.read_bytes()[:torn.stat().st_size * 3 // 4])
+    with pytest.raises(tumble.DamagedLog):
+        tumble.run("recover", torn, "-o", saved)
+    with tumble.Log(saved) as log:
+        assert not log.whole
+        assert log.condition.startswith("its session may have gone on: ")

@@ -39,7 +39,7 @@ before(async () => {
   sessions.record("long.tumble", { steps: 400 }, "--set", "world.freezing=false");
   sessions.record("other.tumble", { steps: 400, thrown: "0.123456789" }, "--set", "world.freezing=false");
   sessions.damage("long.tumble", "damaged.tumble");
-  copyFileSync(sessions.path("long.tumble"), sessions.path("torn.tumble"));
+  for (const name of ["torn", "cut"]) copyFileSync(sessions.path("long.tumble"), sessions.path(`${name}.tumble`));
   let text = "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,world.heat\n";
   for (let k = 0; k <= 10; ++k) text += `${k},wheel,0,0,1,1,0,0,0,${k >= 3 && k <= 6 ? "nan" : k}\n`;
   writeFileSync(sessions.path("heat.csv"), text);
@@ -88,6 +88,15 @@ test("a page to send follows no log", async () => {
   truncateSync(sessions.path("torn.tumble"), Math.floor(statSync(sessions.path("torn.tumble")).size / 2));
   await both(["torn.tumble"], "", async (page, kind) => {
     assert.match(await page.locator(".facts").textContent(), kind === "sent" ? /not finished: shown to its last chunk/ : /not finished: followed/);
+  });
+});
+
+test("the page says of a recovered log without its end that the session may have gone on", async () => {
+  truncateSync(sessions.path("cut.tumble"), Math.floor(statSync(sessions.path("cut.tumble")).size * 3 / 4));
+  sessions.run_any("recover", "cut.tumble", "-o", "saved.tumble");
+  await both(["saved.tumble"], "", async (page) => {
+    assert.match(await page.locator(".facts").textContent(), /cut short/);
+    assert.match(await page.locator(".notices").textContent(), /The session may have gone on: recovered up to step \d+/);
   });
 });
 

@@ -134,6 +134,33 @@ test("a page goes where its address says, also when that is typed anew", async (
   child.kill("SIGINT");
 });
 
+test("a step that the session has not is no place to go", async () => {
+  await both("long.tumble", async (page) => {
+    const enter = async () => page.locator("input[type=search]").press("Enter");
+    await search(page, "step 40", "Enter goes to step 40");
+    await enter();
+    await page.locator("output.said", { hasText: "step 40 " }).waitFor();
+    for (const step of ["999", "-1"]) {
+      await search(page, `step ${step}`, `no step ${step}: the session has steps 0 to 400`);
+      await enter();
+      await page.locator("output.said", { hasText: "step 40 " }).waitFor();
+    }
+  });
+});
+
+test("lane and search say what method thesis counts, which is more than contact points", async () => {
+  sessions.record("thesis.tumble", {}, "--set", "world.method=\"thesis\"");
+  await both("thesis.tumble", async (page) => {
+    await search(page, "contacts > 0", /; contacts are the collisions resolved in all substeps$/);
+    assert.equal(await page.locator(".lane", { has: page.locator('.label >> text="collisions resolved"') }).count(), 1);
+    assert.equal(await page.locator(".lane", { has: page.locator('.label >> text="contacts"') }).count(), 0);
+  });
+  await both("long.tumble", async (page) => {
+    await search(page, "contacts > 0", /the first at \d+$/);
+    assert.equal(await page.locator(".lane", { has: page.locator('.label >> text="contacts"') }).count(), 1);
+  });
+});
+
 test("what is still being recorded is answered so far", async () => {
   const recorder = sessions.start("record", "scene.toml", "-o", "young.tumble", "--realtime", "--seconds", "600");
   await sessions.until_readable("young.tumble");

@@ -106,5 +106,18 @@ TEST(View, ShowsTheIntactPartOfATornLog) {
   EXPECT_TRUE(says(shop.read("torn.html"), "session-0-frames"));
 }
 
+TEST(View, SaysWhyASessionMayHaveGoneOn) {
+  const Workshop shop;
+  shop.record_small("s", {"--seconds", "12"});
+  EXPECT_EQ(shop.run({"view", "s.tumble", "-o", "s.html"}).exit, 0);
+  EXPECT_TRUE(says(shop.read("s.html"), R"("cut_short":"")"));
+  const std::string bytes = shop.read("s.tumble");
+  shop.write("torn.tumble", bytes.substr(0, bytes.size() * 3 / 4));
+  ASSERT_EQ(shop.run({"recover", "torn.tumble", "-o", "saved.tumble"}).exit, 3);
+  const Outcome made = shop.run({"view", "saved.tumble", "-o", "saved.html"});
+  EXPECT_EQ(made.exit, 0) << made.err;
+  EXPECT_TRUE(says(shop.read("saved.html"), R"("cut_short":"recovered up to step )"));
+}
+
 }  // namespace
 }  // namespace tumble::test

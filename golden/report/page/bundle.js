@@ -1,4 +1,4 @@
-(()=>{var af='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
+(()=>{var lf='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
 ca Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji";line-height: 1.5;width: min-content;}.u-t\
 itle {text-align: center;font-size: 18px;font-weight: bold;}.u-wrap {position: relative;user-select: none;}.u-over, .u-under {position: absolute;}.u-under {over\
 flow: hidden;}.uplot canvas {display: block;position: relative;width: 100%;height: 100%;}.u-axis {position: absolute;}.u-legend {font-size: 14px;margin: auto;te\
@@ -9,7 +9,7 @@ inter;}.u-legend .u-off > * {opacity: 0.3;}.u-select {background: rgba(0,0,0,0.0
 absolute;left: 0;top: 0;pointer-events: none;will-change: transform;}.u-hz .u-cursor-x, .u-vt .u-cursor-y {height: 100%;border-right: 1px dashed #607D8B;}.u-hz \
 .u-cursor-y, .u-vt .u-cursor-x {width: 100%;border-bottom: 1px dashed #607D8B;}.u-cursor-pt {position: absolute;top: 0;left: 0;border-radius: 50%;border: 0 soli\
 d;pointer-events: none;will-change: transform;/*this has to be !important since we set inline "background" shorthand */background-clip: padding-box !important;}\
-.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var lf=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
+.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var cf=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
 : #5fd0c5; --expected: #ffb45c; } }\n.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); gap: 1rem; }\n.plots figure {\
  min-width: 0; margin: 0; }\n.plots figcaption { font-weight: 600; }\n.plot { min-width: 0; }\n.u-legend { font-size: .82rem; text-align: left; }\n.uplot .u-legend \
 tr, .uplot .u-legend td, .uplot .u-legend th { padding: 0 .3rem; border: 0; }\n.uplot .u-legend tr { display: inline-block; padding: 0 .4rem 0 0; }\n.uplot .u-leg\
@@ -26,7 +26,7 @@ set: 2px; }\n.controls output { flex: 1 1 100%; font-variant-numeric: tabular-nu
 }\n.viewer .stack { position: relative; border: 1px solid var(--line); }\n.viewer .stack img { display: block; width: 100%; max-width: none; image-rendering: pixe\
 lated; }\n.viewer .stack .over { position: absolute; inset: 0; }\n.viewer .stack .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; bac\
 kground: #fff;\n  box-shadow: 0 0 0 1px #000; }\n.viewer .tag { position: absolute; top: .4rem; left: .4rem; padding: 0 .5rem; border-radius: .3rem; background: #\
-000b;\n  color: #fff; font-size: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var cf=':root { --contact: #c2185b; --select: #e08a00; --asleep: #8a97a6; --way: #6a4bc4; --warn: #7a5200; --stage: #e9eef4; --stage-2: #f8fafc; }\n@media (prefe\
+000b;\n  color: #fff; font-size: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var hf=':root { --contact: #c2185b; --select: #e08a00; --asleep: #8a97a6; --way: #6a4bc4; --warn: #7a5200; --stage: #e9eef4; --stage-2: #f8fafc; }\n@media (prefe\
 rs-color-scheme: dark) { :root { --contact: #ff79b0; --select: #ffc04d; --asleep: #6d7a89; --way: #b7a0ff; --warn: #ffcf70;\n  --stage: #11161b; --stage-2: #222a\
 33; } }\nbody.session { max-width: none; padding: .9rem 1.25rem 2rem; }\n.session h1 { font-size: 1.25rem; overflow-wrap: anywhere; }\n.session h2 { margin: 0; fon\
 t-size: .95rem; }\n.session .facts { display: flex; flex-wrap: wrap; gap: .35rem .5rem; align-items: center; margin: .3rem 0; }\n.session .scene { margin-right: .\
@@ -75,184 +75,184 @@ on .view3d { height: 46vh; min-height: 14rem; }\n  .lane { grid-template-columns
 { display: table; } .session tbody { display: table-row-group; }\n  .session thead { display: table-header-group; } .session tr { display: table-row; }\n  .sessio\
 n th, .session td, .session td.number { display: table-cell; padding: .15rem .4rem .15rem 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text\
 -align: right; }\n  .player button { width: 2.6rem; height: 2.5rem; }\n  .player input[type="range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-mot\
-ion: reduce) { * { scroll-behavior: auto; } }\n';var t_="uplot",n_="u-hz",i_="u-vt",s_="u-title",r_="u-wrap",o_="u-under",a_="u-over",l_="u-axis",Js="u-off",c_="u-select",h_="u-cursor-x",u_="u-cursor-y",d_="u-\
-cursor-pt",f_="u-legend",p_="u-live",m_="u-inline",g_="u-series",__="u-marker",hf="u-label",x_="u-value",Ao="width",Eo="height";var uf="bottom",Sr="left",bh="right",Bh="#000",df=Bh+"0",Mh="mousemove",ff="mousedown",Sh="mouseup",pf="mouseenter",mf="mouseleave",gf="dblclick",y_="resize",v_="\
-scroll",_f="change",Fa="dppxchange",kh="--",Pr=typeof window<"u",Ch=Pr?document:null,Tr=Pr?window:null,b_=Pr?navigator:null,wt,La;function Rh(){let i=devicePixelRatio;
-wt!=i&&(wt=i,La&&Ih(_f,La,Rh),La=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Ks(_f,La,Rh),Tr.dispatchEvent(
+ion: reduce) { * { scroll-behavior: auto; } }\n';var n_="uplot",i_="u-hz",s_="u-vt",r_="u-title",o_="u-wrap",a_="u-under",l_="u-over",c_="u-axis",Ks="u-off",h_="u-select",u_="u-cursor-x",d_="u-cursor-y",f_="u-\
+cursor-pt",p_="u-legend",m_="u-live",g_="u-inline",__="u-series",x_="u-marker",uf="u-label",y_="u-value",Ao="width",Eo="height";var df="bottom",Sr="left",bh="right",Bh="#000",ff=Bh+"0",Mh="mousemove",pf="mousedown",Sh="mouseup",mf="mouseenter",gf="mouseleave",_f="dblclick",v_="resize",b_="\
+scroll",xf="change",Fa="dppxchange",kh="--",Pr=typeof window<"u",Ch=Pr?document:null,Tr=Pr?window:null,M_=Pr?navigator:null,wt,La;function Rh(){let i=devicePixelRatio;
+wt!=i&&(wt=i,La&&Ih(xf,La,Rh),La=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),js(xf,La,Rh),Tr.dispatchEvent(
 new CustomEvent(Fa)))}function Zn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Ph(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
-i.style[e]=t+"px"}function gi(i,e,t,n){let s=Ch.createElement(i);return e!=null&&Zn(s,e),t?.insertBefore(s,n),s}function ai(i,e){return gi("div",i,e)}var xf=new WeakMap;
-function Di(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=xf.get(i);r!=o&&(i.style.transform=r,xf.set(i,r),e<0||t<0||e>n||t>s?Zn(i,Js):Ph(i,Js))}var yf=new WeakMap;
-function vf(i,e,t){let n=e+t,s=yf.get(i);n!=s&&(yf.set(i,n),i.style.background=e,i.style.borderColor=t)}var bf=new WeakMap;function Mf(i,e,t,n){let s=e+""+t,r=bf.
-get(i);s!=r&&(bf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var zh={passive:!0},M_={...zh,
-capture:!0};function Ks(i,e,t,n){e.addEventListener(i,t,n?M_:zh)}function Ih(i,e,t,n){e.removeEventListener(i,t,zh)}Pr&&Rh();function _i(i,e,t,n){let s;t=t||0,n=
-n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Jn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Jf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
-s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var Kf=i=>i!=null,jf=i=>i!=null&&i>0,ka=Jf(Kf),S_=Jf(jf);function w_(i,e,t,n=0,s=!1){
-let r=s?S_:ka,o=s?jf:Kf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
-a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function za(i,e,t,n){let s=Tf(i),r=Tf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Ki:Qf,a=s==1?Jn:li,l=r==1?li:Jn,
-c=a(o(dn(i))),d=l(o(dn(e))),u=Ar(t,c),h=Ar(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=ip(i,u),e=Va(e,h)),[i,e]}function Vh(i,e,t,n){
-let s=za(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Gh=.1,Sf={mode:3,pad:Gh},Ro={pad:0,soft:null,mode:0},T_={min:Ro,max:Ro};function Oa(i,e,t,n){return Ga(
-t)?wf(i,e,t):(Ro.pad=t,Ro.soft=n?0:null,Ro.mode=n?3:0,wf(i,e,T_))}function Mt(i,e){return i??e}function A_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
-null)return!0;e++}return!1}function wf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
+i.style[e]=t+"px"}function gi(i,e,t,n){let s=Ch.createElement(i);return e!=null&&Zn(s,e),t?.insertBefore(s,n),s}function ai(i,e){return gi("div",i,e)}var yf=new WeakMap;
+function Di(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=yf.get(i);r!=o&&(i.style.transform=r,yf.set(i,r),e<0||t<0||e>n||t>s?Zn(i,Ks):Ph(i,Ks))}var vf=new WeakMap;
+function bf(i,e,t){let n=e+t,s=vf.get(i);n!=s&&(vf.set(i,n),i.style.background=e,i.style.borderColor=t)}var Mf=new WeakMap;function Sf(i,e,t,n){let s=e+""+t,r=Mf.
+get(i);s!=r&&(Mf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var zh={passive:!0},S_={...zh,
+capture:!0};function js(i,e,t,n){e.addEventListener(i,t,n?S_:zh)}function Ih(i,e,t,n){e.removeEventListener(i,t,zh)}Pr&&Rh();function _i(i,e,t,n){let s;t=t||0,n=
+n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Jn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Kf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
+s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var jf=i=>i!=null,Qf=i=>i!=null&&i>0,ka=Kf(jf),w_=Kf(Qf);function T_(i,e,t,n=0,s=!1){
+let r=s?w_:ka,o=s?Qf:jf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
+a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function za(i,e,t,n){let s=Af(i),r=Af(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Ki:ep,a=s==1?Jn:li,l=r==1?li:Jn,
+c=a(o(dn(i))),d=l(o(dn(e))),u=Ar(t,c),h=Ar(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=sp(i,u),e=Va(e,h)),[i,e]}function Vh(i,e,t,n){
+let s=za(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Gh=.1,wf={mode:3,pad:Gh},Ro={pad:0,soft:null,mode:0},A_={min:Ro,max:Ro};function Oa(i,e,t,n){return Ga(
+t)?Tf(i,e,t):(Ro.pad=t,Ro.soft=n?0:null,Ro.mode=n?3:0,Tf(i,e,A_))}function Mt(i,e){return i??e}function E_(i,e,t){for(e=Mt(e,0),t=Mt(t,i.length-1);e<=t;){if(i[e]!=
+null)return!0;e++}return!1}function Tf(i,e,t){let n=t.min,s=t.max,r=Mt(n.pad,0),o=Mt(s.pad,0),a=Mt(n.hard,-Nt),l=Mt(s.hard,Nt),c=Mt(n.soft,Nt),d=Mt(s.soft,-Nt),
 u=Mt(n.mode,0),h=Mt(s.mode,0),f=e-i,p=Ki(f),x=Fn(dn(i),dn(e)),m=Ki(x),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let y=f||x||1e3,S=Ki(y),b=Ar(10,Jn(S)),C=y*(f==0?i==0?.1:1:r),w=Dt(ip(i-C,b/10),24),_=i>=c&&(u==1||u==3&&w<=c||u==2&&w>=c)?c:Nt,M=Fn(a,w<_&&i>=_?_:xi(_,w)),
-R=y*(f==0?e==0?.1:1:o),P=Dt(Va(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=xi(l,P>I&&e<=I?I:Fn(I,P));return M==F&&M==0&&(F=100),[M,F]}var E_=new Intl.
-NumberFormat(Pr?b_.language:"en-US"),Hh=i=>E_.format(i),Kn=Math,Ua=Kn.PI,dn=Kn.abs,Jn=Kn.floor,un=Kn.round,li=Kn.ceil,xi=Kn.min,Fn=Kn.max,Ar=Kn.pow,Tf=Kn.sign,Ki=Kn.
-log10,Qf=Kn.log2,C_=(i,e=1)=>Kn.sinh(i)*e,wh=(i,e=1)=>Kn.asinh(i/e),Nt=1/0;function Af(i){return(Ki((i^i>>31)-(i>>31))|0)+1}function Lh(i,e,t){return xi(Fn(i,e),
-t)}function ep(i){return typeof i=="function"}function gt(i){return ep(i)?i:()=>i}var R_=()=>{},tp=i=>i,np=(i,e)=>e,P_=i=>null,Ef=i=>!0,Cf=(i,e)=>i==e,I_=/\.\d*?(?=9{6,}|0{6,})/gm,
-js=i=>{if(rp(i)||Ts.has(i))return i;let e="".concat(i),t=e.match(I_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
-concat(js(s),"e").concat(r)}return Dt(i,n)};function Ys(i,e){return js(Dt(js(i/e))*e)}function Va(i,e){return js(li(js(i/e))*e)}function ip(i,e){return js(Jn(js(
-i/e))*e)}function Dt(i,e=0){if(rp(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ts=new Map;function sp(i){return((""+i).split(".")[1]||"").
-length}function Io(i,e,t,n){let s=[],r=n.map(sp);for(let o=e;o<t;o++){let a=dn(o),l=Dt(Ar(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ts.set(h,u)}}return s}var Po={},Wh=[],Er=[null,null],ws=Array.isArray,rp=Number.isInteger,L_=i=>i===
-void 0;function Rf(i){return typeof i=="string"}function Ga(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function N_(i){return i!=null&&
-typeof i=="object"}var D_=Object.getPrototypeOf(Uint8Array),op="__proto__";function Cr(i,e=Ga){let t;if(ws(i)){let n=i.find(s=>s!=null);if(ws(n)||e(n)){t=Array(
-i.length);for(let s=0;s<i.length;s++)t[s]=Cr(i[s],e)}else t=i.slice()}else if(i instanceof D_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=op&&(t[n]=Cr(i[n],
-e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=op&&(Ga(i[s])?on(i[s],Cr(n[s])):i[s]=Cr(n[s]))}return i}
-var U_=0,F_=1,O_=2;function B_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
-s++]=null}}}function k_(i,e){if(G_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return H_(o[0])||(o=V_(o)),o}let t=new Set;for(let o=0;o<
+0)));let y=f||x||1e3,S=Ki(y),b=Ar(10,Jn(S)),C=y*(f==0?i==0?.1:1:r),w=Dt(sp(i-C,b/10),24),_=i>=c&&(u==1||u==3&&w<=c||u==2&&w>=c)?c:Nt,M=Fn(a,w<_&&i>=_?_:xi(_,w)),
+R=y*(f==0?e==0?.1:1:o),P=Dt(Va(e+R,b/10),24),I=e<=d&&(h==1||h==3&&P>=d||h==2&&P<=d)?d:-Nt,F=xi(l,P>I&&e<=I?I:Fn(I,P));return M==F&&M==0&&(F=100),[M,F]}var C_=new Intl.
+NumberFormat(Pr?M_.language:"en-US"),Hh=i=>C_.format(i),Kn=Math,Ua=Kn.PI,dn=Kn.abs,Jn=Kn.floor,un=Kn.round,li=Kn.ceil,xi=Kn.min,Fn=Kn.max,Ar=Kn.pow,Af=Kn.sign,Ki=Kn.
+log10,ep=Kn.log2,R_=(i,e=1)=>Kn.sinh(i)*e,wh=(i,e=1)=>Kn.asinh(i/e),Nt=1/0;function Ef(i){return(Ki((i^i>>31)-(i>>31))|0)+1}function Lh(i,e,t){return xi(Fn(i,e),
+t)}function tp(i){return typeof i=="function"}function gt(i){return tp(i)?i:()=>i}var P_=()=>{},np=i=>i,ip=(i,e)=>e,I_=i=>null,Cf=i=>!0,Rf=(i,e)=>i==e,L_=/\.\d*?(?=9{6,}|0{6,})/gm,
+Qs=i=>{if(op(i)||Ts.has(i))return i;let e="".concat(i),t=e.match(L_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+concat(Qs(s),"e").concat(r)}return Dt(i,n)};function Zs(i,e){return Qs(Dt(Qs(i/e))*e)}function Va(i,e){return Qs(li(Qs(i/e))*e)}function sp(i,e){return Qs(Jn(Qs(
+i/e))*e)}function Dt(i,e=0){if(op(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var Ts=new Map;function rp(i){return((""+i).split(".")[1]||"").
+length}function Io(i,e,t,n){let s=[],r=n.map(rp);for(let o=e;o<t;o++){let a=dn(o),l=Dt(Ar(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
+o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),Ts.set(h,u)}}return s}var Po={},Wh=[],Er=[null,null],ws=Array.isArray,op=Number.isInteger,N_=i=>i===
+void 0;function Pf(i){return typeof i=="string"}function Ga(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function D_(i){return i!=null&&
+typeof i=="object"}var U_=Object.getPrototypeOf(Uint8Array),ap="__proto__";function Cr(i,e=Ga){let t;if(ws(i)){let n=i.find(s=>s!=null);if(ws(n)||e(n)){t=Array(
+i.length);for(let s=0;s<i.length;s++)t[s]=Cr(i[s],e)}else t=i.slice()}else if(i instanceof U_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=ap&&(t[n]=Cr(i[n],
+e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=ap&&(Ga(i[s])?on(i[s],Cr(n[s])):i[s]=Cr(n[s]))}return i}
+var F_=0,O_=1,B_=2;function k_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
+s++]=null}}}function z_(i,e){if(H_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return W_(o[0])||(o=G_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
-n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:F_,f=[];for(let p=0;p<d.length;p++){
-let x=d[p],m=r.get(l[p]);x===null?h!=U_&&(u[m]=x,h==O_&&f.push(m)):u[m]=x}B_(u,f,s),n.push(u)}}return n}var z_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
-i):queueMicrotask;function V_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
-let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function G_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
-length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function H_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
+n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=e?e[o][c]:O_,f=[];for(let p=0;p<d.length;p++){
+let x=d[p],m=r.get(l[p]);x===null?h!=F_&&(u[m]=x,h==B_&&f.push(m)):u[m]=x}k_(u,f,s),n.push(u)}}return n}var V_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+i):queueMicrotask;function G_(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
+let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function H_(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
+length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function W_(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
 null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Fn(1,Jn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
-var ap=["January","February","March","April","May","June","July","August","September","October","November","December"],lp=["Sunday","Monday","Tuesday","Wednesda\
-y","Thursday","Friday","Saturday"];function cp(i){return i.slice(0,3)}var W_=lp.map(cp),X_=ap.map(cp),$_={MMMM:ap,MMM:X_,WWWW:lp,WWW:W_};function To(i){return(i<
-10?"0":"")+i}function q_(i){return(i<10?"00":i<100?"0":"")+i}var Y_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
+var lp=["January","February","March","April","May","June","July","August","September","October","November","December"],cp=["Sunday","Monday","Tuesday","Wednesda\
+y","Thursday","Friday","Saturday"];function hp(i){return i.slice(0,3)}var X_=cp.map(hp),$_=lp.map(hp),q_={MMMM:lp,MMM:$_,WWWW:cp,WWW:X_};function To(i){return(i<
+10?"0":"")+i}function Y_(i){return(i<10?"00":i<100?"0":"")+i}var Z_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
 MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>To(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>To(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.
 getDay()],HH:i=>To(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?
-"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>To(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>To(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>q_(i.getMilliseconds())};
-function Xh(i,e){e=e||$_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?Y_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
-o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Z_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function J_(i,e){let t;return e=="UTC"||e=="Etc/UT\
-C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==Z_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var hp=i=>i%
-1==0,Ba=[1,2,2.5,5],K_=Io(10,-32,0,Ba),up=Io(10,0,32,Ba),j_=up.filter(hp),Zs=K_.concat(up),$h="\n",dp="{YYYY}",Pf=$h+dp,fp="{M}/{D}",Co=$h+fp,Na=Co+"/{YY}",pp="\
-{aa}",Q_="{h}:{mm}",wr=Q_+pp,If=$h+wr,Lf=":{ss}",Tt=null;function mp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Io(10,0,3,Ba).filter(hp):Io(10,-3,
+"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>To(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>To(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>Y_(i.getMilliseconds())};
+function Xh(i,e){e=e||q_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?Z_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
+o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var J_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function K_(i,e){let t;return e=="UTC"||e=="Etc/UT\
+C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==J_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var up=i=>i%
+1==0,Ba=[1,2,2.5,5],j_=Io(10,-32,0,Ba),dp=Io(10,0,32,Ba),Q_=dp.filter(up),Js=j_.concat(dp),$h="\n",fp="{YYYY}",If=$h+fp,pp="{M}/{D}",Co=$h+pp,Na=Co+"/{YY}",mp="\
+{aa}",ex="{h}:{mm}",wr=ex+mp,Lf=$h+wr,Nf=":{ss}",Tt=null;function gp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Io(10,0,3,Ba).filter(up):Io(10,-3,
 0,Ba)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
-o*25,o*50,o*100]),c=[[o,dp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",Pf,Tt,Tt,Tt,Tt,Tt,1],[s,fp,Pf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+pp,Na,Tt,Co,Tt,Tt,Tt,1],[t,wr,Na,Tt,Co,Tt,
-Tt,Tt,1],[e,Lf,Na+" "+wr,Tt,Co+" "+wr,Tt,If,Tt,1],[i,Lf+".{fff}",Na+" "+wr,Tt,Co+" "+wr,Tt,If,Tt,1]];function d(u){return(h,f,p,x,m,g)=>{let y=[],S=m>=o,b=m>=r&&
+o*25,o*50,o*100]),c=[[o,fp,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",If,Tt,Tt,Tt,Tt,Tt,1],[s,pp,If,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+mp,Na,Tt,Co,Tt,Tt,Tt,1],[t,wr,Na,Tt,Co,Tt,
+Tt,Tt,1],[e,Nf,Na+" "+wr,Tt,Co+" "+wr,Tt,Lf,Tt,1],[i,Nf+".{fff}",Na+" "+wr,Tt,Co+" "+wr,Tt,Lf,Tt,1]];function d(u){return(h,f,p,x,m,g)=>{let y=[],S=m>=o,b=m>=r&&
 m<o,C=u(p),w=Dt(C*i,3),_=Th(C.getFullYear(),S?0:C.getMonth(),b||S?1:C.getDate()),M=Dt(_*i,3);if(b||S){let R=b?m/r:0,P=S?m/o:0,I=w==M?w:Dt(Th(_.getFullYear()+P,_.
 getMonth()+R,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;I<=x;G++){let Y=Th(z+P*G,D+R*G,1),W=Y-u(Dt(Y*i,3));I=Dt((+Y+W)*i,3),I<=x&&
 y.push(I)}}else{let R=m>=s?s:m,P=Jn(p)-Jn(w),I=M+P+Va(w-M,R);y.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,G=h.axes[f]._space,Y=g/
 G;for(;I=Dt(I+m,i==1?0:3),!(I>x);)if(D>1){let W=Jn(Dt(z+D,6))%24,Q=u(I).getHours()-W;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=y[y.length-1];Dt((I-se)/m,3)*Y>=.7&&y.
-push(I)}else y.push(I)}return y}}return[l,c,d]}var[ex,tx,nx]=mp(1),[ix,sx,rx]=mp(.001);Io(2,-53,53,[1]);function Nf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Df(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let x=i(p),m=x.getFullYear(),
+push(I)}else y.push(I)}return y}}return[l,c,d]}var[tx,nx,ix]=gp(1),[sx,rx,ox]=gp(.001);Io(2,-53,53,[1]);function Df(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Uf(i,e){return(t,n,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,d,u,h,f;return n.map(p=>{let x=i(p),m=x.getFullYear(),
 g=x.getMonth(),y=x.getDate(),S=x.getHours(),b=x.getMinutes(),C=x.getSeconds(),w=m!=l&&a[2]||g!=c&&a[3]||y!=d&&a[4]||S!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-m,c=g,d=y,u=S,h=b,f=C,w(x)})}}function ox(i,e){let t=Xh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Th(i,e,t){return new Date(i,e,t)}function Uf(i,e){return e(
-i)}var ax="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Ff(i,e){return(t,n,s,r)=>r==null?kh:e(i(n))}function lx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
-points.width?t.points.stroke(i,e):null}function cx(i,e){return i.series[e].fill(i,e)}var hx={show:!0,live:!0,isolate:!1,mount:R_,markers:{show:!0,width:2,stroke:lx,
-fill:cx,dash:"solid"},idx:null,idxs:null,values:[]};function ux(i,e){let t=i.cursor.points,n=ai(),s=t.size(i,e);zt(n,Ao,s),zt(n,Eo,s);let r=s/-2;zt(n,"marginLef\
-t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function dx(i,e){let t=i.series[e].points;return t._fill||t._stroke}function fx(i,e){
-let t=i.series[e].points;return t._stroke||t._fill}function px(i,e){return i.series[e].points.size}var Ah=[0,0];function mx(i,e,t){return Ah[0]=e,Ah[1]=t,Ah}function Da(i,e,t,n=!0){
-return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Eh(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var gx={show:!0,x:!0,y:!0,lock:!1,move:mx,points:{one:!1,
-show:ux,size:px,width:0,stroke:fx,fill:dx},bind:{mousedown:Da,mouseup:Da,click:Da,dblclick:Da,mousemove:Eh,mouseleave:Eh,mouseenter:Eh},drag:{setScale:!0,x:!0,y:!1,
+m,c=g,d=y,u=S,h=b,f=C,w(x)})}}function ax(i,e){let t=Xh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Th(i,e,t){return new Date(i,e,t)}function Ff(i,e){return e(
+i)}var lx="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Of(i,e){return(t,n,s,r)=>r==null?kh:e(i(n))}function cx(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
+points.width?t.points.stroke(i,e):null}function hx(i,e){return i.series[e].fill(i,e)}var ux={show:!0,live:!0,isolate:!1,mount:P_,markers:{show:!0,width:2,stroke:cx,
+fill:hx,dash:"solid"},idx:null,idxs:null,values:[]};function dx(i,e){let t=i.cursor.points,n=ai(),s=t.size(i,e);zt(n,Ao,s),zt(n,Eo,s);let r=s/-2;zt(n,"marginLef\
+t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function fx(i,e){let t=i.series[e].points;return t._fill||t._stroke}function px(i,e){
+let t=i.series[e].points;return t._stroke||t._fill}function mx(i,e){return i.series[e].points.size}var Ah=[0,0];function gx(i,e,t){return Ah[0]=e,Ah[1]=t,Ah}function Da(i,e,t,n=!0){
+return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Eh(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var _x={show:!0,x:!0,y:!0,lock:!1,move:gx,points:{one:!1,
+show:dx,size:mx,width:0,stroke:px,fill:fx},bind:{mousedown:Da,mouseup:Da,click:Da,dblclick:Da,mousemove:Eh,mouseleave:Eh,mouseenter:Eh},drag:{setScale:!0,x:!0,y:!1,
 dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,
-bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},gp={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},qh=on({},gp,{filter:np}),_p=on({},qh,{size:10}),
-xp=on({},gp,{show:!1}),Yh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
-moji", "Segoe UI Symbol", "Noto Color Emoji"',yp="bold "+Yh,vp=1.5,Of={show:!0,scale:"x",stroke:Bh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:yp,
-side:2,grid:qh,ticks:_p,border:xp,font:Yh,lineGap:vp,rotate:0},_x="Value",xx="Time",Bf={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function yx(i,e,t,n,s){
-return e.map(r=>r==null?"":Hh(r))}function vx(i,e,t,n,s,r,o){let a=[],l=Ts.get(s)||0;t=o?t:Dt(Va(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
-return a}function Nh(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Ki:Qf,d=Jn(c(t));s=Ar(l,d),l==10&&(s=Zs[_i(s,Zs)]);let u=t,h=s*l;l==10&&(h=
-Zs[_i(h,Zs)]);do a.push(u),u=u+s,l==10&&!Ts.has(u)&&(u=Dt(u,Ts.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=Zs[_i(h,Zs)]));while(u<=n);return a}function bx(i,e,t,n,s,r,o){
+bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},_p={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},qh=on({},_p,{filter:ip}),xp=on({},qh,{size:10}),
+yp=on({},_p,{show:!1}),Yh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
+moji", "Segoe UI Symbol", "Noto Color Emoji"',vp="bold "+Yh,bp=1.5,Bf={show:!0,scale:"x",stroke:Bh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:vp,
+side:2,grid:qh,ticks:xp,border:yp,font:Yh,lineGap:bp,rotate:0},xx="Value",yx="Time",kf={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function vx(i,e,t,n,s){
+return e.map(r=>r==null?"":Hh(r))}function bx(i,e,t,n,s,r,o){let a=[],l=Ts.get(s)||0;t=o?t:Dt(Va(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
+return a}function Nh(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Ki:ep,d=Jn(c(t));s=Ar(l,d),l==10&&(s=Js[_i(s,Js)]);let u=t,h=s*l;l==10&&(h=
+Js[_i(h,Js)]);do a.push(u),u=u+s,l==10&&!Ts.has(u)&&(u=Dt(u,Ts.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=Js[_i(h,Js)]));while(u<=n);return a}function Mx(i,e,t,n,s,r,o){
 let l=i.scales[i.axes[e].scale].asinh,c=n>l?Nh(i,e,Fn(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Nh(i,e,Fn(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
-var bp=/./,Mx=/[12357]/,Sx=/[125]/,kf=/1/,Dh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function wx(i,e,t,n,s){let r=i.
-axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?bp:l(7,o)-d>=c?Mx:l(5,o)-d>=c?Sx:kf;if(u==kf){let h=dn(l(1,o)-d);if(h<c)return Dh(
-e.slice().reverse(),a.distr,u,li(c/h)).reverse()}return Dh(e,a.distr,u,1)}function Tx(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
-2,o));return c<a?Dh(e.slice().reverse(),3,bp,li(a/c)).reverse():e}function Ax(i,e,t,n){return n==null?kh:e==null?"":Hh(e)}var zf={show:!0,scale:"y",stroke:Bh,space:30,
-gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:yp,side:3,grid:qh,ticks:_p,border:xp,font:Yh,lineGap:vp,rotate:0};function Ex(i,e){let t=3+(i||1)*2;return Dt(
-t*e,3)}function Cx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
-space*wt);return n[1]-n[0]<=c}var Vf={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},Mp=(i,e,t,n,s)=>s,Gf={show:!0,auto:!0,sorted:0,gaps:Mp,alpha:1,facets:[on({},Vf,
-{scale:"x"}),on({},Vf,{scale:"y"})]},Hf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Mp,alpha:1,points:{show:Cx,filter:null},values:null,min:Nt,max:-Nt,
-idxs:[],path:null,clip:null};function Rx(i,e,t,n,s){return t/10}var Sp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},Px=on({},Sp,{time:!1,
-ori:1}),Wf={};function wp(i,e){let t=Wf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
-t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(Wf[i]=t)),t}var Rr=1,Uh=2;function Qs(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
+var Mp=/./,Sx=/[12357]/,wx=/[125]/,zf=/1/,Dh=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function Tx(i,e,t,n,s){let r=i.
+axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?Mp:l(7,o)-d>=c?Sx:l(5,o)-d>=c?wx:zf;if(u==zf){let h=dn(l(1,o)-d);if(h<c)return Dh(
+e.slice().reverse(),a.distr,u,li(c/h)).reverse()}return Dh(e,a.distr,u,1)}function Ax(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=dn(l(1,o)-l(
+2,o));return c<a?Dh(e.slice().reverse(),3,Mp,li(a/c)).reverse():e}function Ex(i,e,t,n){return n==null?kh:e==null?"":Hh(e)}var Vf={show:!0,scale:"y",stroke:Bh,space:30,
+gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:vp,side:3,grid:qh,ticks:xp,border:yp,font:Yh,lineGap:bp,rotate:0};function Cx(i,e){let t=3+(i||1)*2;return Dt(
+t*e,3)}function Rx(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=dn(o-r),l=i.series[e],c=a/(l.points.
+space*wt);return n[1]-n[0]<=c}var Gf={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt},Sp=(i,e,t,n,s)=>s,Hf={show:!0,auto:!0,sorted:0,gaps:Sp,alpha:1,facets:[on({},Gf,
+{scale:"x"}),on({},Gf,{scale:"y"})]},Wf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Sp,alpha:1,points:{show:Rx,filter:null},values:null,min:Nt,max:-Nt,
+idxs:[],path:null,clip:null};function Px(i,e,t,n,s){return t/10}var wp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},Ix=on({},wp,{time:!1,
+ori:1}),Xf={};function Tp(i,e){let t=Xf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
+t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(Xf[i]=t)),t}var Rr=1,Uh=2;function er(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,x=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,x,Wa,Ir,$a,Ap,Cp):t(s,l,c,d,u,g,m,f,h,x,p,Xa,Lr,Kh,Ep,Rp)}function Zh(i,e){let t=0,
-n=0,s=Mt(i.bands,Wh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Ix(i,e,t,n,s){
+width,x=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,x,Wa,Ir,$a,Ep,Rp):t(s,l,c,d,u,g,m,f,h,x,p,Xa,Lr,Kh,Cp,Pp)}function Zh(i,e){let t=0,
+n=0,s=Mt(i.bands,Wh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function Lx(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function ji(i,e,t,n,s,r){
-return Qs(i,e,(o,a,l,c,d,u,h,f,p,x,m)=>{let g=o.pxRound,y=c.dir*(c.ori==0?1:-1),S=c.ori==0?Ir:Lr,b,C;y==1?(b=t,C=n):(b=n,C=t);let w=g(u(a[b],c,x,f)),_=g(h(l[b],
+return er(i,e,(o,a,l,c,d,u,h,f,p,x,m)=>{let g=o.pxRound,y=c.dir*(c.ori==0?1:-1),S=c.ori==0?Ir:Lr,b,C;y==1?(b=t,C=n):(b=n,C=t);let w=g(u(a[b],c,x,f)),_=g(h(l[b],
 d,m,p)),M=g(u(a[C],c,x,f)),R=g(h(r==1?d.max:d.min,d,m,p)),P=new Path2D(s);return S(P,M,R),S(P,w,R),S(P,w,_),P})}function Ha(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?$a:Kh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
-d/2,c,n+r+d)}return o}function Lx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Jh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
+d/2,c,n+r+d)}return o}function Nx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Jh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),x=u-s;f=o<=0&&x>=
-0&&x<l?r(i[x]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Xf(i){return i==0?tp:i==1?un:e=>Ys(e,i)}function Tp(i){let e=i==0?Wa:
+0&&x<l?r(i[x]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function $f(i){return i==0?np:i==1?un:e=>Zs(e,i)}function Ap(i){let e=i==0?Wa:
 Xa,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=xi(c,a/2,l/2),d=xi(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
-var Wa=(i,e,t)=>{i.moveTo(e,t)},Xa=(i,e,t)=>{i.moveTo(t,e)},Ir=(i,e,t)=>{i.lineTo(e,t)},Lr=(i,e,t)=>{i.lineTo(t,e)},$a=Tp(0),Kh=Tp(1),Ap=(i,e,t,n,s,r)=>{i.arc(e,
-t,n,s,r)},Ep=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},Cp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Rp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Pp(i){
-return(e,t,n,s,r)=>Qs(e,t,(o,a,l,c,d,u,h,f,p,x,m)=>{let{pxRound:g,points:y}=o,S,b;c.ori==0?(S=Wa,b=Ap):(S=Xa,b=Ep);let C=Dt(y.width*wt,3),w=(y.size-y.width)/2*wt,
+var Wa=(i,e,t)=>{i.moveTo(e,t)},Xa=(i,e,t)=>{i.moveTo(t,e)},Ir=(i,e,t)=>{i.lineTo(e,t)},Lr=(i,e,t)=>{i.lineTo(t,e)},$a=Ap(0),Kh=Ap(1),Ep=(i,e,t,n,s,r)=>{i.arc(e,
+t,n,s,r)},Cp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},Rp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Pp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Ip(i){
+return(e,t,n,s,r)=>er(e,t,(o,a,l,c,d,u,h,f,p,x,m)=>{let{pxRound:g,points:y}=o,S,b;c.ori==0?(S=Wa,b=Ep):(S=Xa,b=Cp);let C=Dt(y.width*wt,3),w=(y.size-y.width)/2*wt,
 _=Dt(w*2,3),M=new Path2D,R=new Path2D,{left:P,top:I,width:F,height:z}=e.bbox;$a(R,P-_,I-_,F+_*2,z+_*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,x,f)),W=g(h(l[G],
-d,m,p));S(M,Y+w,W),b(M,Y,W,w,0,Ua*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Rr|Uh}})}function Ip(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Nx=Ip(Ir),Dx=Ip(Lr);function Lp(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>Qs(t,n,(o,a,l,c,d,u,h,f,p,x,m)=>{
-[s,r]=ka(l,s,r);let g=o.pxRound,y=z=>g(u(z,c,x,f)),S=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Ir,C=Nx):(b=Lr,C=Dx);let w=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+d,m,p));S(M,Y+w,W),b(M,Y,W,w,0,Ua*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:R,flags:Rr|Uh}})}function Lp(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Dx=Lp(Ir),Ux=Lp(Lr);function Np(i){let e=Mt(i?.alignGaps,0);return(t,n,s,r)=>er(t,n,(o,a,l,c,d,u,h,f,p,x,m)=>{
+[s,r]=ka(l,s,r);let g=o.pxRound,y=z=>g(u(z,c,x,f)),S=z=>g(h(z,d,m,p)),b,C;c.ori==0?(b=Ir,C=Dx):(b=Lr,C=Ux);let w=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
 clip:null,band:null,gaps:null,flags:Rr},M=_.stroke,R=!1;if(r-s>=x*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=y(a[w==1?s:r]),Q=y(a[s]),se=y(a[r]),
 de=z(w==1?Q+1:se-1);for(let ue=w==1?s:r;ue>=s&&ue<=r;ue+=w){let ee=a[ue],xe=(w==1?ee<de:ee>de)?K:y(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,S(W)),Y=D=G=
 W):W<D?D=W:W>G&&(G=W)):Ee===null&&(R=!0):(D!=null&&C(M,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,b(M,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(R=!0)),K=xe,de=z(K+w))}
 D!=null&&D!=G&&ce!=K&&C(M,K,S(D),S(G),S(Y),S(W))}else for(let z=w==1?s:r;z>=s&&z<=r;z+=w){let D=l[z];D===null?R=!0:D!=null&&b(M,y(a[z]),S(D))}let[I,F]=Zh(t,n);if(o.
 fill!=null||I!=0){let z=_.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,I),G=S(D),Y=y(a[s]),W=y(a[r]);w==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
 R&&z.push(...Jh(a,l,s,r,w,y,e)),_.gaps=z=o.gaps(t,n,s,r,z),_.clip=Ha(z,c.ori,f,p,x,m)}return F!=0&&(_.band=F==2?[ji(t,n,s,r,M,-1),ji(t,n,s,r,M,1)]:ji(t,n,s,r,M,
-F)),_})}function Ux(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>Qs(r,o,(c,d,u,h,f,p,x,m,g,y,S)=>{[a,l]=ka(u,
+F)),_})}function Fx(i){let e=Mt(i.align,1),t=Mt(i.ascDesc,!1),n=Mt(i.alignGaps,0),s=Mt(i.extend,!1);return(r,o,a,l)=>er(r,o,(c,d,u,h,f,p,x,m,g,y,S)=>{[a,l]=ka(u,
 a,l);let b=c.pxRound,{left:C,width:w}=r.bbox,_=Q=>b(p(Q,h,y,m)),M=Q=>b(x(Q,f,S,g)),R=h.ori==0?Ir:Lr,P={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
 flags:Rr},I=P.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=_(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,R(I,Y,z)),R(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
 if(se==null)continue;let de=_(d[Q]),ue=M(se);e==1?R(I,de,z):R(I,G,ue),R(I,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+w,R(I,W,z));let[ce,K]=Zh(r,o);if(c.fill!=null||
 ce!=0){let Q=P.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);R(Q,W,de),R(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Jh(d,u,a,l,F,_,n));let se=c.width*
 wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),P.gaps=Q=c.gaps(r,o,a,l,Q),P.clip=Ha(Q,h.ori,m,g,y,S)}return K!=0&&(P.band=K==2?[
-ji(r,o,a,l,I,-1),ji(r,o,a,l,I,1)]:ji(r,o,a,l,I,K)),P})}function $f(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
-if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Fx(i){i=i||Po;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Po),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,x,m)=>Qs(
+ji(r,o,a,l,I,-1),ji(r,o,a,l,I,1)]:ji(r,o,a,l,I,K)),P})}function qf(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
+if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Ox(i){i=i||Po;let e=Mt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=Mt(e[1],Nt),l=Mt(e[2],1),c=Mt(i.disp,Po),d=Mt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,x,m)=>er(
 f,p,(g,y,S,b,C,w,_,M,R,P,I)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,p):[ce,W]=r(f,p);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?$a:Kh,se=b.
 ori==0?d:(Re,$e,it,Se,Lt,ze,Xe)=>{d(Re,$e,it,Lt,Se,Xe,ze)},de=Mt(f.bands,Wh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
 _(ee,C,I,R)),xe,Ee,Me,He=P,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,x,m),lt=new Map,new Set(ut).
 forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,p,x,m),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
 if(Ut!=null&&Qt!=null){z=1,y=Ut.values(f,p,x,m),Ut.unit==2&&(y=y.map(it=>f.posToVal(M+it*P,b.key,!0)));let Re=Qt.values(f,p,x,m);Qt.unit==2?Ee=Re[0]*P:Ee=w(Re[0],
-b,P,M)-w(0,b,P,M),He=$f(y,S,w,b,P,M,He),Me=He-Ee+D}else He=$f(y,S,w,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=tp);let Pt=Me>0,gn=He-Me-
+b,P,M)-w(0,b,P,M),He=qf(y,S,w,b,P,M,He),Me=He-Ee+D}else He=qf(y,S,w,b,P,M,He),Me=He*o+D,Ee=He-Me;Me<1&&(Me=0),nt>=Ee/2&&(nt=0),Me<5&&(F=np);let Pt=Me>0,gn=He-Me-
 (Pt?nt:0);Ee=F(Lh(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
 new Path2D,$t=null;if(de!=null)$t=f.data[de.series[1]];else{let{y0:Re,y1:$e}=c;Re!=null&&$e!=null&&(S=$e.values(f,p,x,m),$t=Re.values(f,p,x,m))}let en=W*Ee,B=ce*
 Ee;for(let Re=K==1?x:m;Re>=x&&Re<=m;Re+=K){let $e=S[Re];if($e==null)continue;if($t!=null){let $=$t[Re]??0;if($e-$==0)continue;me=_($,C,I,R)}let it=b.distr!=2||c!=
 null?y[Re]:Re,Se=w(it,b,P,M),Lt=_(Mt($e,ee),C,I,R),ze=F(Se-xe),Xe=F(Fn(Lt,me)),L=F(xi(Lt,me)),T=Xe-L;if($e!=null){let $=$e<0?B:en,he=$e<0?en:B;Ve?(nt>0&&et[Re]!=
 null&&Q(Gt.get(et[Re]),ze,L+Jn(nt/2),Ee,Fn(0,T-nt),$,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,L+Jn(nt/2),Ee,Fn(0,T-nt),$,he)):Q(cn,ze,L+Jn(nt/2),Ee,Fn(0,T-nt),$,he),
-se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Ox(i,e){
-let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>Qs(n,s,(a,l,c,d,u,h,f,p,x,m,g)=>{[r,o]=ka(c,r,o);let y=a.pxRound,S=W=>y(h(W,d,m,p)),b=W=>y(f(W,u,g,x)),C,w,_;d.ori==0?
-(C=Wa,_=Ir,w=Cp):(C=Xa,_=Lr,w=Rp);let M=d.dir*(d.ori==0?1:-1),R=S(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=S(K);
+se(f,p,Re,ze-nt/2,L,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Bx(i,e){
+let t=Mt(e?.alignGaps,0);return(n,s,r,o)=>er(n,s,(a,l,c,d,u,h,f,p,x,m,g)=>{[r,o]=ka(c,r,o);let y=a.pxRound,S=W=>y(h(W,d,m,p)),b=W=>y(f(W,u,g,x)),C,w,_;d.ori==0?
+(C=Wa,_=Ir,w=Rp):(C=Xa,_=Lr,w=Pp);let M=d.dir*(d.ori==0?1:-1),R=S(l[M==1?r:o]),P=R,I=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=S(K);
 I.push(P=Q),F.push(b(c[W]))}let z={stroke:i(I,F,C,_,w,y),fill:null,clip:null,band:null,gaps:null,flags:Rr},D=z.stroke,[G,Y]=Zh(n,s);if(a.fill!=null||G!=0){let W=z.
 fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);_(W,P,K),_(W,R,K)}if(!a.spanGaps){let W=[];W.push(...Jh(l,c,r,o,M,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
-Ha(W,d.ori,p,x,m,g)}return Y!=0&&(z.band=Y==2?[ji(n,s,r,o,D,-1),ji(n,s,r,o,D,1)]:ji(n,s,r,o,D,Y)),z})}function Bx(i){return Ox(kx,i)}function kx(i,e,t,n,s,r){let o=i.
+Ha(W,d.ori,p,x,m,g)}return Y!=0&&(z.band=Y==2?[ji(n,s,r,o,D,-1),ji(n,s,r,o,D,1)]:ji(n,s,r,o,D,Y)),z})}function kx(i){return Bx(zx,i)}function zx(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
-3,i[h+1],e[h+1])}return a}var Fh=new Set;function qf(){for(let i of Fh)i.syncRect(!0)}Pr&&(Ks(y_,Tr,qf),Ks(v_,Tr,qf,!0),Ks(Fa,Tr,()=>{fn.pxRatio=wt}));var zx=Lp(),
-Vx=Pp();function Yf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Oh(r,o,e,t))}function Gx(i,e){return i.map((t,n)=>n==
-0?{}:on({},e,t))}function Oh(i,e,t,n){return on({},e==0?t:n,i)}function Np(i,e,t){return e==null?Er:[e,t]}var Hx=Np;function Wx(i,e,t){return e==null?Er:Oa(e,t,
-Gh,!0)}function Dp(i,e,t,n){return e==null?Er:za(e,t,i.scales[n].log,!1)}var Xx=Dp;function Up(i,e,t,n){return e==null?Er:Vh(e,t,i.scales[n].log,!1)}var $x=Up;function qx(i,e,t,n,s){
-let r=Fn(Af(i),Af(e)),o=e-i,a=_i(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ts.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Zf(i){let e,
-t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Yx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
+3,i[h+1],e[h+1])}return a}var Fh=new Set;function Yf(){for(let i of Fh)i.syncRect(!0)}Pr&&(js(v_,Tr,Yf),js(b_,Tr,Yf,!0),js(Fa,Tr,()=>{fn.pxRatio=wt}));var Vx=Np(),
+Gx=Ip();function Zf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Oh(r,o,e,t))}function Hx(i,e){return i.map((t,n)=>n==
+0?{}:on({},e,t))}function Oh(i,e,t,n){return on({},e==0?t:n,i)}function Dp(i,e,t){return e==null?Er:[e,t]}var Wx=Dp;function Xx(i,e,t){return e==null?Er:Oa(e,t,
+Gh,!0)}function Up(i,e,t,n){return e==null?Er:za(e,t,i.scales[n].log,!1)}var $x=Up;function Fp(i,e,t,n){return e==null?Er:Vh(e,t,i.scales[n].log,!1)}var qx=Fp;function Yx(i,e,t,n,s){
+let r=Fn(Ef(i),Ef(e)),o=e-i,a=_i(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?Ts.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Jf(i){let e,
+t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Zx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:Mt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
 let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=ai(t_);if(i.id!=null&&(c.id=i.id),Zn(c,i.class),i.title){let v=ai(s_,c);v.textContent=i.title}let d=gi("canvas"),u=n.ctx=d.getContext("2d"),h=ai(r_,c);Ks("\
-click",h,v=>{v.target===p&&(Ot!=xr||Ht!=yr)&&Sn.click(n,v)},!0);let f=n.under=ai(o_,h);h.appendChild(d);let p=n.over=ai(a_,h);i=Cr(i);let x=+Mt(i.pxAlign,1),m=Xf(
-x);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,y=n.series=s==1?Yf(i.series||[],Bf,Hf,!1):Gx(i.series||[null],Gf),S=n.axes=Yf(i.axes||
-[],Of,zf,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let w=s==2?y[1].facets[0].scale:y[0].scale,_={axes:Zi,
+root=ai(n_);if(i.id!=null&&(c.id=i.id),Zn(c,i.class),i.title){let v=ai(r_,c);v.textContent=i.title}let d=gi("canvas"),u=n.ctx=d.getContext("2d"),h=ai(o_,c);js("\
+click",h,v=>{v.target===p&&(Ot!=xr||Ht!=yr)&&Sn.click(n,v)},!0);let f=n.under=ai(a_,h);h.appendChild(d);let p=n.over=ai(l_,h);i=Cr(i);let x=+Mt(i.pxAlign,1),m=$f(
+x);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,y=n.series=s==1?Zf(i.series||[],kf,Wf,!1):Hx(i.series||[null],Hf),S=n.axes=Zf(i.axes||
+[],Bf,Vf,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=Mt(v.dir,-1)});let w=s==2?y[1].facets[0].scale:y[0].scale,_={axes:Zi,
 series:ft},M=(i.drawOrder||["axes","series"]).map(v=>_[v]);function R(v){let A=v.distr==3?N=>Ki(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>wh(N,v.asinh):
 v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function P(v){let A=b[v];if(A==null){let N=(i.scales||Po)[v]||Po;if(N.
-from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==w?Sp:Px,N),A.key=v;let U=A.time,H=A.range,J=ws(H);if((v!=w||s==
-2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?Sf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?Sf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&Ga(H))){let ae=H;
-H=(fe,ve,Ne)=>ve==null?Er:Oa(ve,Ne,ae)}A.range=gt(H||(U?Hx:v==w?A.distr==3?Xx:A.distr==4?$x:Np:A.distr==3?Dp:A.distr==4?Up:Wx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||Rx),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&y.forEach(v=>{P(v.scale)}),S.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[w],
-F=I.distr,z,D;I.ori==0?(Zn(c,n_),z=r,D=o):(Zn(c,i_),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Xh,ce=g==1?nx(Y):rx(Y),K=Df(Y,Nf(g==1?tx:sx,W)),Q=Ff(Y,Uf(ax,W)),se=[],de=n.legend=on({},hx,i.legend),
-ue=n.cursor=on({},gx,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
+from!=null){P(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=R(U),b[v]=U}else{A=b[v]=on({},v==w?wp:Ix,N),A.key=v;let U=A.time,H=A.range,J=ws(H);if((v!=w||s==
+2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?wf:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?wf:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&Ga(H))){let ae=H;
+H=(fe,ve,Ne)=>ve==null?Er:Oa(ve,Ne,ae)}A.range=gt(H||(U?Wx:v==w?A.distr==3?$x:A.distr==4?qx:Dp:A.distr==3?Up:A.distr==4?Fp:Xx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+A.clamp||Px),A._min=A._max=null,A.valToPct=R(A)}}}P("x"),P("y"),s==1&&y.forEach(v=>{P(v.scale)}),S.forEach(v=>{P(v.scale)});for(let v in i.scales)P(v);let I=b[w],
+F=I.distr,z,D;I.ori==0?(Zn(c,i_),z=r,D=o):(Zn(c,s_),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||Xh,ce=g==1?ix(Y):ox(Y),K=Uf(Y,Df(g==1?nx:rx,W)),Q=Of(Y,Ff(lx,W)),se=[],de=n.legend=on({},ux,i.legend),
+ue=n.cursor=on({},_x,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,Me,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=y[1]?y[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=kh}if(ee)
-if(Ee=gi("table",f_,c),He=gi("tbody",null,Ee),de.mount(n,Ee),lt){Me=gi("thead",null,Ee,He);let v=gi("tr",null,Me);gi("th",null,v);for(var Gt in ut)gi("th",hf,v).
-textContent=Gt}else Zn(Ee,m_),de.live&&Zn(Ee,p_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Er;let N=[],U=gi("tr",g_,He,
-He.childNodes[A]);Zn(U,v.class),v.show||Zn(U,Js);let H=gi("th",null,U);if(xe.show){let fe=ai(__,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
-dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=ai(hf,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
+if(Ee=gi("table",p_,c),He=gi("tbody",null,Ee),de.mount(n,Ee),lt){Me=gi("thead",null,Ee,He);let v=gi("tr",null,Me);gi("th",null,v);for(var Gt in ut)gi("th",uf,v).
+textContent=Gt}else Zn(Ee,g_),de.live&&Zn(Ee,m_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Er;let N=[],U=gi("tr",__,He,
+He.childNodes[A]);Zn(U,v.class),v.show||Zn(U,Ks);let H=gi("th",null,U);if(xe.show){let fe=ai(x_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=ai(uf,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
 (xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=y.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
 isolate){let Ne=y.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);y.forEach((De,Fe)=>{Fe>0&&Pi(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Pi(ve,{show:!v.show},!0,rn.setSeries)},
-!1),Je&&vt(pf,H,fe=>{ue._lock||(Ze(fe),Pi(y.indexOf(v),br,!0,rn.setSeries))},!1));for(var ae in ut){let fe=gi("td",x_,U);fe.textContent="--",N.push(fe)}return[U,
-N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(Ks(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
+!1),Je&&vt(mf,H,fe=>{ue._lock||(Ze(fe),Pi(y.indexOf(v),br,!0,rn.setSeries))},!1));for(var ae in ut){let fe=gi("td",y_,U);fe.textContent="--",N.push(fe)}return[U,
+N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(js(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
 (v==null||H==v)&&(Ih(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let $t=0,en=0,B=0,Re=0,$e=0,it=0,Se=$e,Lt=it,ze=B,Xe=Re,L=0,T=0,$=0,he=0;n.bbox={};let oe=!1,_e=!1,
 ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=$t=B=v,n.height=en=Re=A,$e=it=0,
-be(),Ge();let N=n.bbox;L=N.left=Ys($e*wt,.5),T=N.top=Ys(it*wt,.5),$=N.width=Ys(B*wt,.5),he=N.height=Ys(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
+be(),Ge();let N=n.bbox;L=N.left=Zs($e*wt,.5),T=N.top=Zs(it*wt,.5),$=N.width=Zs(B*wt,.5),he=N.height=Zs(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
 let N=mr(A),U=Ri(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function be(){let v=!1,A=!1,N=!1,U=!1;S.forEach(
 (H,J)=>{if(H.show&&H._show){let{side:ae,_size:fe}=H,ve=ae%2,Ne=H.label!=null?H.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?($e+=De,U=!0):N=!0):(Re-=De,ae==0?(it+=
 De,v=!0):A=!0))}}),Ei[0]=v,Ei[1]=N,Ei[2]=A,Ei[3]=U,B-=fi[1]+fi[3],$e+=fi[3],Re-=fi[2]+fi[0],it+=fi[0]}function Ge(){let v=$e+B,A=it+Re,N=$e,U=it;function H(J,ae){
@@ -263,32 +263,32 @@ bt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- 
 bt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],I,Fe,0),Zt=Ye==null?1/0:z(St[Ye],I,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
 Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
-ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],In=[];function _o(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Zn(N,d_),Zn(N,v.class),Di(N,-10,-10,
-B,Re),p.insertBefore(N,ot[A]),N}function dr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Rf(U)?Ff(Y,Uf(U,W)):U||Q:U||Ax,v.label=v.label||(N?
-xx:_x)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||zx||P_,v.fillTo=gt(v.fillTo||Ix),v.pxAlign=+Mt(v.pxAlign,x),v.pxRound=Xf(v.pxAlign),v.stroke=
-gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=Ex(Fn(1,v.width),1),U=v.points=on({},{size:N,width:Fn(1,N*.2),stroke:v.
-stroke,space:N*2,paths:Vx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
+ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],In=[];function _o(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Zn(N,f_),Zn(N,v.class),Di(N,-10,-10,
+B,Re),p.insertBefore(N,ot[A]),N}function dr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?Pf(U)?Of(Y,Ff(U,W)):U||Q:U||Ex,v.label=v.label||(N?
+yx:xx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Vx||I_,v.fillTo=gt(v.fillTo||Lx),v.pxAlign=+Mt(v.pxAlign,x),v.pxRound=$f(v.pxAlign),v.stroke=
+gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=Cx(Fn(1,v.width),1),U=v.points=on({},{size:N,width:Fn(1,N*.2),stroke:v.
+stroke,space:N*2,paths:Gx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
 U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=_o(v,A)):
-A>0&&(N=_o(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),In.splice(A,0,0)}yn("addSeries",A)}function uh(v,A){A=A??y.length,v=s==1?Oh(v,A,Bf,Hf):Oh(v,A,{},Gf),y.splice(
+A>0&&(N=_o(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),In.splice(A,0,0)}yn("addSeries",A)}function uh(v,A){A=A??y.length,v=s==1?Oh(v,A,kf,Wf):Oh(v,A,{},Hf),y.splice(
 A,0,v),dr(y[A],A)}n.addSeries=uh;function Ca(v){if(y.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
 me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),In.splice(v,1)),yn("delSeries",v)}n.delSeries=Ca;let Ei=[!1,!1,!1,!1];function $i(v,A){if(v._show=
 v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?y[1].scale:w,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-ws(v.incrs)&&v.incrs.forEach(ae=>{!Ts.has(ae)&&Ts.set(ae,sp(ae))}),v.incrs=gt(v.incrs||(U.distr==2?j_:H?g==1?ex:ix:Zs)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
-U.distr==3?Nh:U.distr==4?bx:vx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
-values;v.values=ws(J)&&!ws(J[0])?gt(J):H?ws(J)?Df(Y,Nf(J,W)):Rf(J)?ox(Y,J):J||K:J||yx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?wx:U.distr==3&&U.log==2?Tx:np)),
-v.font=Zf(v.font),v.labelFont=Zf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ei[A]=!0,v._el=
-ai(l_,h))}}function qi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Of.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
-!fe?un(zf.size/2):0),Ne}let xo=n.padding=(i.padding||[qi,qi,qi,qi]).map(v=>gt(Mt(v,qi))),fi=n._padding=xo.map((v,A)=>v(n,A,Ei,0)),qt,Kt=null,jt=null,Ci=s==1?y[0].
+ws(v.incrs)&&v.incrs.forEach(ae=>{!Ts.has(ae)&&Ts.set(ae,rp(ae))}),v.incrs=gt(v.incrs||(U.distr==2?Q_:H?g==1?tx:sx:Js)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
+U.distr==3?Nh:U.distr==4?Mx:bx)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
+values;v.values=ws(J)&&!ws(J[0])?gt(J):H?ws(J)?Uf(Y,Df(J,W)):Pf(J)?ax(Y,J):J||K:J||vx,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?Tx:U.distr==3&&U.log==2?Ax:ip)),
+v.font=Jf(v.font),v.labelFont=Jf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ei[A]=!0,v._el=
+ai(c_,h))}}function qi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Bf.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
+!fe?un(Vf.size/2):0),Ne}let xo=n.padding=(i.padding||[qi,qi,qi,qi]).map(v=>gt(Mt(v,qi))),fi=n._padding=xo.map((v,A)=>v(n,A,Ei,0)),qt,Kt=null,jt=null,Ci=s==1?y[0].
 idxs:null,Xn=null,xs=!1;function yo(v,A){if(e=v??[],n.data=n._data=e,s==2){qt=0;for(let N=1;N<y.length;N++)qt+=e[N][0].length}else{e.length==0&&(n.data=n._data=
 e=[[]]),Xn=e[0],qt=Xn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array(qt);for(let H=0;H<qt;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
 !1){let N=I;N.auto(n,xs)?vo():bs(w,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=yo;function vo(){xs=!0;let v,A;s==1&&(qt>0?(Kt=Ci[0]=0,jt=Ci[1]=qt-1,v=e[0][Kt],
 A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=za(v,v,I.log,!1):F==4?[v,A]=Vh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Oa(v,A,Gh,!0))):(Kt=Ci[0]=v=null,jt=Ci[1]=
-A=null)),bs(w,v,A)}let fr,ys,pr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=df,N??=Wh,U??="butt",H??=df,J??="round",v!=fr&&(u.strokeStyle=fr=v),H!=ys&&(u.fillStyle=
+A=null)),bs(w,v,A)}let fr,ys,pr,E,k,j,q,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=ff,N??=Wh,U??="butt",H??=ff,J??="round",v!=fr&&(u.strokeStyle=fr=v),H!=ys&&(u.fillStyle=
 ys=H),A!=pr&&(u.lineWidth=pr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=ys&&(u.fillStyle=ys=A),v!=q&&(u.font=
 q=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,xs)&&(A==null||A.min==null)){let J=Mt(Kt,0),ae=Mt(jt,
-U.length-1),fe=N.min==null?w_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=xi(v.min,N.min=fe[0]),v.max=Fn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
+U.length-1),fe=N.min==null?T_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=xi(v.min,N.min=fe[0]),v.max=Fn(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
 for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[w]!=null&&H.auto(n,xs))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
-(G[U]=je)}G[w]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Cr(b[U],N_);if(H.min!=null)on(J,H);else if(U!=w||s==2)if(qt==0&&J.from==
+(G[U]=je)}G[w]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=Cr(b[U],D_);if(H.min!=null)on(J,H);else if(U!=w||s==2)if(qt==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if(qt>0){y.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=_i(fe.min,e[0]),jt=_i(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Xn[Kt],U.max=Xn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
@@ -307,12 +307,12 @@ function Et(v,A){let N=A?y[v].points:y[v],{stroke:U,fill:H,clip:J,flags:ae,_stro
 Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=L-Ne/2,bt=T-Ne/2,pt=$+Ne,Ye=he+Ne;De=new Path2D,De.rect(
 St,bt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
 ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let bt=y[tt.series[1]],pt=e[tt.series[1]],Ye=(bt._paths||Po).band;ws(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
-bt.show&&Ye&&A_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Rr|
+bt.show&&Ye&&E_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=bt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Rr|
 Uh;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
 H,ae),tn(v,J,A)):fe&Uh?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Rr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
 Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=fr=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
 Map?A.forEach((N,U)=>{u.fillStyle=ys=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function Yi(v,A,N,U){let H=S[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
-U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=qx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;x==1&&u.translate(De,De),Ae(fe,ae,ve,
+U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Yx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;x==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,St,bt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,bt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=bt=v[Ye],
 u.moveTo(Fe,tt),u.lineTo(St,bt));u.stroke(),x==1&&u.translate(-De,-De)}function mr(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
 min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=Yi(U,fe,ve,ae==0?B:Re);
@@ -320,114 +320,114 @@ if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H
 N.values(n,N.filter(n,St,U,De,bt),U,De,bt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=li(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ri(v){
 let A=!0;return xo.forEach((N,U)=>{let H=N(n,U,Ei,v);H!=fi[U]&&(A=!1),fi[U]=H}),A}function Zi(){for(let v=0;v<S.length;v++){let A=S[v];if(!A.show||!A._show)continue;
 let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Dn=A.labelGap*fe,Yn=un((A._lpos+Dn)*wt);Ie(A.labelFont[0],ae,"\
-center",N==2?"top":uf),u.save(),U==1?(H=J=0,u.translate(Yn,un(T+he/2)),u.rotate((N==3?-Ua:Ua)/2)):(H=un(L+$/2),J=Yn);let qs=ep(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(qs,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Dn=>Xn[Dn]):St,pt=De.distr==2?Xn[St[1]]-
+center",N==2?"top":df),u.save(),U==1?(H=J=0,u.translate(Yn,un(T+he/2)),u.rotate((N==3?-Ua:Ua)/2)):(H=un(L+$/2),J=Yn);let Ys=tp(A.label)?A.label(n,v,ve,Ne):A.label;
+u.fillText(Ys,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?$:he,tt=U==0?L:T,St=A._splits,bt=De.distr==2?St.map(Dn=>Xn[Dn]):St,pt=De.distr==2?Xn[St[1]]-
 Xn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Ua/180,Jt=m(A._pos*wt),$n=(Zt+
 vn)*fe,Nn=Jt+$n;J=U==0?Nn:0,H=U==1?Nn:0;let ri=A.font[0],pi=A.align==1?Sr:A.align==2?bh:It>0?Sr:It<0?bh:U==0?"center":N==3?bh:Sr,Li=It||U==1?"middle":N==2?"top":
-uf;Ie(ri,ae,pi,Li);let qn=A.font[1]*A.lineGap,oi=St.map(Dn=>m(a(Dn,De,Fe,tt))),mi=A._values;for(let Dn=0;Dn<mi.length;Dn++){let Yn=mi[Dn];if(Yn!=null){U==0?H=oi[Dn]:
-J=oi[Dn],Yn=""+Yn;let qs=Yn.indexOf("\n")==-1?[Yn]:Yn.split(/\n/gm);for(let Un=0;Un<qs.length;Un++){let of=qs[Un];It?(u.save(),u.translate(H,J+Un*qn),u.rotate(It),
-u.fillText(of,0,0),u.restore()):u.fillText(of,H,J+Un*qn)}}}Ye.show&&nn(oi,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Ni=A.
+df;Ie(ri,ae,pi,Li);let qn=A.font[1]*A.lineGap,oi=St.map(Dn=>m(a(Dn,De,Fe,tt))),mi=A._values;for(let Dn=0;Dn<mi.length;Dn++){let Yn=mi[Dn];if(Yn!=null){U==0?H=oi[Dn]:
+J=oi[Dn],Yn=""+Yn;let Ys=Yn.indexOf("\n")==-1?[Yn]:Yn.split(/\n/gm);for(let Un=0;Un<Ys.length;Un++){let af=Ys[Un];It?(u.save(),u.translate(H,J+Un*qn),u.rotate(It),
+u.fillText(af,0,0),u.restore()):u.fillText(af,H,J+Un*qn)}}}Ye.show&&nn(oi,Ye.filter(n,bt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Ni=A.
 grid;Ni.show&&nn(oi,Ni.filter(n,bt,v,Ne,pt),U,U==0?2:1,U==0?T:L,U==0?he:$,Dt(Ni.width*wt,3),Ni.stroke(n,v),Ni.dash,Ni.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
 2,U==1?T:L,U==1?he:$,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){y.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
 max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,Ln=!1,Rt=[];function sn(){Ln=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
-Yt||(z_(Vd),Yt=!0)}function Ra(v,A=!1){Yt=!0,Ln=A,v(n),Vd(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ra;function Vd(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
+Yt||(V_(Gd),Yt=!0)}function Ra(v,A=!1){Yt=!0,Ln=A,v(n),Gd(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ra;function Gd(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,Sr,$e),zt(f,"top",it),zt(f,Ao,B),zt(f,Eo,Re),zt(p,Sr,$e),zt(p,"top",it),zt(p,Ao,B),zt(p,Eo,Re),zt(h,Ao,$t),zt(h,Eo,en),d.width=un($t*wt),d.height=un(en*
 wt),S.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
-zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ph(v,Js)}else Zn(v,Js)}),fr=ys=pr=k=j=q=Z=Te=E=null,Pe=1,So(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
+zt(v,ae?"top":"left",ae?it:$e),zt(v,ae?"height":"width",ae?Re:B),Ph(v,Ks)}else Zn(v,Ks)}),fr=ys=pr=k=j=q=Z=Te=E=null,Pe=1,So(!0),$e!=Se||it!=Lt||B!=ze||Re!=Xe){
 ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,gr&&Di(gr,un(ue.left),0,B,Re),_r&&Di(_r,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
 U!=null&&(Ft[N]*=v,In[N]*=A,Di(U,li(Ft[N]),li(In[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in _h)
 zt(vr,N,Bt[N])}Se=$e,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}$t>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),M.forEach(v=>v()),yn("draw")),Bt.show&&
-ie&&(Pa(Bt),ie=!1),me&&te&&($s(null,!0,!1),te=!1),de.show&&de.live&&pe&&(mh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),xs=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
+ie&&(Pa(Bt),ie=!1),me&&te&&(qs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(mh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),xs=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
 !1?bs(w,I.min,I.max):Tn()};function dh(v,A){let N=b[v];if(N.from==null){if(qt==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
 A.min=A.max,A.max=U}if(qt>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==w&&N.distr==2&&qt>0&&(A.min=_i(A.min,e[0]),A.max=_i(A.max,e[0]),A.min==A.max&&
-A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=dh;let fh,ph,gr,_r,Gd,Hd,xr,yr,Wd,Xd,Ot,Ht,vs=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(fh=ai(h_,p)),ue.y&&(ph=ai(u_,p)),
-I.ori==0?(gr=fh,_r=ph):(gr=ph,_r=fh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),vr=Bt.show?ai(c_,Bt.over?
-p:f):null;function Pa(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in _h&&zt(vr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Pa;function z0(v){if(y[v].show)ee&&
-Ph(nt[v],Js);else if(ee&&Zn(nt[v],Js),me){let N=Ce?ot[0]:ot[v];N!=null&&Di(N,-10,-10,B,Re)}}function bs(v,A,N){dh(v,{min:A,max:N})}function Pi(v,A,N,U){A.focus!=
-null&&X0(v),A.show!=null&&y.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,z0(J),s==2?(bs(H.facets[0].scale,null,null),bs(H.facets[1].scale,null,null)):bs(
-H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&wo("setSeries",n,v,A)}n.setSeries=Pi;function V0(v,A){on(C[v],A)}function G0(v,A){v.fill=gt(v.fill||null),
-v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function H0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=G0,n.setBand=V0,n.delBand=H0;function W0(v,A){y[v].alpha=
-A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Ji,Ms,Xs,br={focus:!0};function X0(v){if(v!=Xs){let A=v==null,N=Oe.alpha!=1;y.
-forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&W0(H,J?1:Oe.alpha)}}),Xs=v,N&&Tn()}}ee&&Je&&vt(mf,Ee,v=>{ue._lock||(Ze(v),Xs!=null&&Pi(null,
+A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=dh;let fh,ph,gr,_r,Hd,Wd,xr,yr,Xd,$d,Ot,Ht,vs=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(fh=ai(u_,p)),ue.y&&(ph=ai(d_,p)),
+I.ori==0?(gr=fh,_r=ph):(gr=ph,_r=fh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),vr=Bt.show?ai(h_,Bt.over?
+p:f):null;function Pa(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in _h&&zt(vr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Pa;function V0(v){if(y[v].show)ee&&
+Ph(nt[v],Ks);else if(ee&&Zn(nt[v],Ks),me){let N=Ce?ot[0]:ot[v];N!=null&&Di(N,-10,-10,B,Re)}}function bs(v,A,N){dh(v,{min:A,max:N})}function Pi(v,A,N,U){A.focus!=
+null&&$0(v),A.show!=null&&y.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,V0(J),s==2?(bs(H.facets[0].scale,null,null),bs(H.facets[1].scale,null,null)):bs(
+H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&wo("setSeries",n,v,A)}n.setSeries=Pi;function G0(v,A){on(C[v],A)}function H0(v,A){v.fill=gt(v.fill||null),
+v.dir=Mt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function W0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=H0,n.setBand=G0,n.delBand=W0;function X0(v,A){y[v].alpha=
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Ji,Ms,$s,br={focus:!0};function $0(v){if(v!=$s){let A=v==null,N=Oe.alpha!=1;y.
+forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&X0(H,J?1:Oe.alpha)}}),$s=v,N&&Tn()}}ee&&Je&&vt(gf,Ee,v=>{ue._lock||(Ze(v),$s!=null&&Pi(null,
 br,!0,rn.setSeries))});function Ii(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:$e));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
-H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?Ar(10,ve):Ne==4?C_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function $0(v,A){let N=Ii(v,w,A);return _i(N,e[0],Kt,jt)}n.valToIdx=
-v=>_i(v,e[0]),n.posToIdx=$0,n.posToVal=Ii,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
-$s(null,A,N)};function $d(v,A){zt(vr,Sr,Bt.left=v),zt(vr,Ao,Bt.width=A)}function qd(v,A){zt(vr,"top",Bt.top=v),zt(vr,Eo,Bt.height=A)}let bo=I.ori==0?$d:qd,Mo=I.
-ori==1?$d:qd;function q0(){if(ee&&de.live)for(let v=s==2?1:0;v<y.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
-A[U]}}function mh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):L_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<y.length;N++)(N>0||
-s==1&&!lt)&&Y0(N,se[N]);q0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=mh;function Y0(v,A){let N=y[v],U=v==0&&F==2?Xn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
-n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function $s(v,A,N){Wd=Ot,Xd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(gr&&Di(gr,un(Ot),0,
+H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?Ar(10,ve):Ne==4?R_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function q0(v,A){let N=Ii(v,w,A);return _i(N,e[0],Kt,jt)}n.valToIdx=
+v=>_i(v,e[0]),n.posToIdx=q0,n.posToVal=Ii,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?$:B,N?L:0):o(v,b[A],N?he:Re,N?T:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
+qs(null,A,N)};function qd(v,A){zt(vr,Sr,Bt.left=v),zt(vr,Ao,Bt.width=A)}function Yd(v,A){zt(vr,"top",Bt.top=v),zt(vr,Eo,Bt.height=A)}let bo=I.ori==0?qd:Yd,Mo=I.
+ori==1?qd:Yd;function Y0(){if(ee&&de.live)for(let v=s==2?1:0;v<y.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
+A[U]}}function mh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):N_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<y.length;N++)(N>0||
+s==1&&!lt)&&Z0(N,se[N]);Y0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=mh;function Z0(v,A){let N=y[v],U=v==0&&F==2?Xn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
+n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function qs(v,A,N){Xd=Ot,$d=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(gr&&Di(gr,un(Ot),0,
 B,Re),_r&&Di(_r,0,un(Ht),B,Re));let U,H=Kt>jt;Ji=Nt,Ms=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||qt==0||H){U=ue.idx=null;for(let fe=0;fe<y.length;fe++){
 let ve=ot[fe];ve!=null&&Di(ve,-10,-10,B,Re)}Je&&Pi(null,br,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Ii(
 fe,w),U=ue.idx=_i(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,bt=!0,pt="",Ye="";for(let We=s==2?1:0;We<y.length;We++){let kt=y[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
 let $n=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Nn=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ri=I.ori==
 1?Ot:Ht,pi=dn(Oe.dist(n,We,It,Nn,ri));if(pi<Ji){let Li=Oe.bias;if(Li!=0){let qn=Ii(ri,kt.scale),oi=Jt>=0?1:-1,mi=qn>=0?1:-1;mi==oi&&(mi==1?Li==1?Jt>=qn:Jt<=qn:Li==
-1?Jt<=qn:Jt>=qn)&&(Ji=pi,Ms=We)}else Ji=pi,Ms=We}}if(pe||Ce){let ri,pi;I.ori==0?(ri=$n,pi=Nn):(ri=Nn,pi=$n);let Li,qn,oi,mi,Ni,Dn,Yn=!0,qs=le.bbox;if(qs!=null){
-Yn=!1;let Un=qs(n,We);oi=Un.left,mi=Un.top,Li=Un.width,qn=Un.height}else oi=ri,mi=pi,Li=qn=le.size(n,We);if(Dn=le.fill(n,We),Ni=le.stroke(n,We),Ce)We==Ms&&Ji<=Oe.
-prox&&(De=oi,Fe=mi,tt=Li,St=qn,bt=Yn,pt=Dn,Ye=Ni);else{let Un=ot[We];Un!=null&&(Ft[We]=oi,In[We]=mi,Mf(Un,Li,qn,Yn),vf(Un,Dn,Ni),Di(Un,li(oi),li(mi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=Xs==null?Ji<=We:Ji>We||Ms!=Xs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,In[0]=Fe,Mf(Zt,tt,St,bt),vf(Zt,pt,Ye),Di(Zt,li(De),li(Fe),B,Re))}}}if(Bt.
+1?Jt<=qn:Jt>=qn)&&(Ji=pi,Ms=We)}else Ji=pi,Ms=We}}if(pe||Ce){let ri,pi;I.ori==0?(ri=$n,pi=Nn):(ri=Nn,pi=$n);let Li,qn,oi,mi,Ni,Dn,Yn=!0,Ys=le.bbox;if(Ys!=null){
+Yn=!1;let Un=Ys(n,We);oi=Un.left,mi=Un.top,Li=Un.width,qn=Un.height}else oi=ri,mi=pi,Li=qn=le.size(n,We);if(Dn=le.fill(n,We),Ni=le.stroke(n,We),Ce)We==Ms&&Ji<=Oe.
+prox&&(De=oi,Fe=mi,tt=Li,St=qn,bt=Yn,pt=Dn,Ye=Ni);else{let Un=ot[We];Un!=null&&(Ft[We]=oi,In[We]=mi,Sf(Un,Li,qn,Yn),bf(Un,Dn,Ni),Di(Un,li(oi),li(mi),B,Re))}}}}if(Ce){
+let We=Oe.prox,kt=$s==null?Ji<=We:Ji>We||Ms!=$s;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,In[0]=Fe,Sf(Zt,tt,St,bt),bf(Zt,pt,Ye),Di(Zt,li(De),li(Fe),B,Re))}}}if(Bt.
 show&&vs)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:bt,top:pt,width:Ye,
 height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,$n,Nn,ri=fe!=null&&Ne(fe,Fe),pi=ve!=null&&De(ve,tt);ri&&_n?(kt==0?(vn=bt,It=Ye):(vn=pt,It=We),Jt=
 b[fe],$n=z(Zt(vn,Fe),Jt,J,0),Nn=z(Zt(vn+It,Fe),Jt,J,0),bo(xi($n,Nn),dn(Nn-$n))):bo(0,J),pi&&xn?(kt==1?(vn=bt,It=Ye):(vn=pt,It=We),Jt=b[ve],$n=D(Zt(vn,tt),Jt,ae,
-0),Nn=D(Zt(vn+It,tt),Jt,ae,0),Mo(xi($n,Nn),dn(Nn-$n))):Mo(0,ae)}else xh()}else{let fe=dn(Wd-Gd),ve=dn(Xd-Hd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
+0),Nn=D(Zt(vn+It,tt),Jt,ae,0),Mo(xi($n,Nn),dn(Nn-$n))):Mo(0,ae)}else xh()}else{let fe=dn(Xd-Hd),ve=dn($d-Wd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
 dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
 0?(De=xr,Fe=Ot):(De=yr,Fe=Ht),bo(xi(De,Fe),dn(Fe-De)),xn||Mo(0,ae)),xn&&(I.ori==1?(De=xr,Fe=Ot):(De=yr,Fe=Ht),Mo(xi(De,Fe),dn(Fe-De)),_n||bo(0,J)),!_n&&!xn&&(bo(
-0,0),Mo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(rf!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Ii(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Ii(I.
-ori==1?Ot:Ht,ve):null}wo(Mh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;Xs==null?Ji<=ve&&Pi(Ms,br,!0,fe):Ji>ve?Pi(null,br,!0,fe):Ms!=Xs&&Pi(Ms,br,!0,
+0,0),Mo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(of!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Ii(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Ii(I.
+ori==1?Ot:Ht,ve):null}wo(Mh,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;$s==null?Ji<=ve&&Pi(Ms,br,!0,fe):Ji>ve?Pi(null,br,!0,fe):Ms!=$s&&Pi(Ms,br,!0,
 fe)}}pe&&(de.idx=U,mh()),A!==!1&&yn("setCursor")}let Ss=null;Object.defineProperty(n,"rect",{get(){return Ss==null&&So(!1),Ss}});function So(v=!1){v?Ss=null:(Ss=
-p.getBoundingClientRect(),yn("syncRect",Ss))}function Yd(v,A,N,U,H,J,ae){ue._lock||vs&&v!=null&&v.movementX==0&&v.movementY==0||(gh(v,A,N,U,H,J,ae,!1,v!=null),v!=
-null?$s(null,!0,!0):$s(A,!0,!1))}function gh(v,A,N,U,H,J,ae,fe,ve){if(Ss==null&&So(!1),Ze(v),v!=null)N=v.clientX-Ss.left,U=v.clientY-Ss.top;else{if(N<0||U<0){Ot=
+p.getBoundingClientRect(),yn("syncRect",Ss))}function Zd(v,A,N,U,H,J,ae){ue._lock||vs&&v!=null&&v.movementX==0&&v.movementY==0||(gh(v,A,N,U,H,J,ae,!1,v!=null),v!=
+null?qs(null,!0,!0):qs(A,!0,!1))}function gh(v,A,N,U,H,J,ae,fe,ve){if(Ss==null&&So(!1),Ze(v),v!=null)N=v.clientX-Ss.left,U=v.clientY-Ss.top;else{if(N<0||U<0){Ot=
 -10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[bt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
 B:Re,It=kt?J:H,Jt=kt?H:J,$n=kt?U:N,Nn=kt?N:U;if(bt!=null?N=Ye(Ne,bt)?a(tt,b[Ne],Zt,0):-10:N=Zt*($n/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(Nn/Jt),I.
-ori==1){let ri=N;N=U,U=ri}}ve&&(A==null||A.cursor.event.type==Mh)&&((N<=1||N>=B-1)&&(N=Ys(N,B)),(U<=1||U>=Re-1)&&(U=Ys(U,Re))),fe?(Gd=N,Hd=U,[xr,yr]=ue.move(n,N,
-U)):(Ot=N,Ht=U)}let _h={width:0,height:0,left:0,top:0};function xh(){Pa(_h,!1)}let Zd,Jd,Kd,jd;function Qd(v,A,N,U,H,J,ae){vs=!0,_n=xn=Sn._x=Sn._y=!1,gh(v,A,N,U,
-H,J,ae,!0,!1),v!=null&&(vt(Sh,Ch,ef,!1),wo(ff,n,xr,yr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Zd=fe,Jd=ve,Kd=Ne,jd=De}function ef(v,A,N,U,H,J,ae){
-vs=Sn._x=Sn._y=!1,gh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Zd!=fe||Jd!=ve||Kd!=Ne||jd!=De;if(Fe&&tt&&Pa(Bt),Sn.setScale&&
+ori==1){let ri=N;N=U,U=ri}}ve&&(A==null||A.cursor.event.type==Mh)&&((N<=1||N>=B-1)&&(N=Zs(N,B)),(U<=1||U>=Re-1)&&(U=Zs(U,Re))),fe?(Hd=N,Wd=U,[xr,yr]=ue.move(n,N,
+U)):(Ot=N,Ht=U)}let _h={width:0,height:0,left:0,top:0};function xh(){Pa(_h,!1)}let Jd,Kd,jd,Qd;function ef(v,A,N,U,H,J,ae){vs=!0,_n=xn=Sn._x=Sn._y=!1,gh(v,A,N,U,
+H,J,ae,!0,!1),v!=null&&(vt(Sh,Ch,tf,!1),wo(pf,n,xr,yr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Jd=fe,Kd=ve,jd=Ne,Qd=De}function tf(v,A,N,U,H,J,ae){
+vs=Sn._x=Sn._y=!1,gh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Jd!=fe||Kd!=ve||jd!=Ne||Qd!=De;if(Fe&&tt&&Pa(Bt),Sn.setScale&&
 Fe&&tt){let St=fe,bt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,bt=De,pt=fe,Ye=Ne),_n&&bs(w,Ii(St,w),Ii(St+bt,w)),xn)for(let We in b){let kt=b[We];We!=w&&kt.from==null&&
-kt.min!=Nt&&bs(We,Ii(pt+Ye,We),Ii(pt,We))}xh()}else ue.lock&&(ue._lock=!ue._lock,$s(A,!0,v!=null));v!=null&&(cn(Sh,Ch),wo(Sh,n,Ot,Ht,B,Re,null))}function Z0(v,A,N,U,H,J,ae){
+kt.min!=Nt&&bs(We,Ii(pt+Ye,We),Ii(pt,We))}xh()}else ue.lock&&(ue._lock=!ue._lock,qs(A,!0,v!=null));v!=null&&(cn(Sh,Ch),wo(Sh,n,Ot,Ht,B,Re,null))}function J0(v,A,N,U,H,J,ae){
 if(ue._lock)return;Ze(v);let fe=vs;if(vs){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
-ve&&(Ot=Ot<xr?0:B),tt&&Ne&&(Ht=Ht<yr?0:Re),$s(null,!0,!0),vs=!1}Ot=-10,Ht=-10,se.fill(null),$s(null,!0,!0),fe&&(vs=fe)}function tf(v,A,N,U,H,J,ae){ue._lock||(Ze(
-v),vo(),xh(),v!=null&&wo(gf,n,Ot,Ht,B,Re,null))}function nf(){S.forEach(Yx),O(n.width,n.height,!0)}Ks(Fa,Tr,nf);let Mr={};Mr.mousedown=Qd,Mr.mousemove=Yd,Mr.mouseup=
-ef,Mr.dblclick=tf,Mr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Pi(N,U,!0,!1)},me&&(vt(ff,p,Qd),vt(Mh,p,Yd),vt(pf,p,v=>{Ze(v),So(!1)}),vt(mf,p,Z0),
-vt(gf,p,tf),Fh.add(n),n.syncRect=So);let Ia=n.hooks=i.hooks||{};function yn(v,A,N){Ln?Rt.push([v,A,N]):v in Ia&&Ia[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
-[]).forEach(v=>{for(let A in v.hooks)Ia[A]=(Ia[A]||[]).concat(v.hooks[A])});let sf=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Ef,sub:Ef},scales:[w,y[1]?
-y[1].scale:null],match:[Cf,Cf,sf],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(sf),ue.sync=rn;let rf=rn.key,yh=wp(rf);function wo(v,A,N,U,H,J,ae){
-rn.filters.pub(v,A,N,U,H,J,ae)&&yh.pub(v,A,N,U,H,J,ae)}yh.sub(n);function J0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&Mr[v](null,A,N,U,H,J,ae)}n.pub=J0;function K0(){
-yh.unsub(n),Fh.delete(n),gn.clear(),Ih(Fa,Tr,nf),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=K0;function vh(){yn("init",i,e),yo(e||i.data,!1),G[w]?dh(w,G[w]):
+ve&&(Ot=Ot<xr?0:B),tt&&Ne&&(Ht=Ht<yr?0:Re),qs(null,!0,!0),vs=!1}Ot=-10,Ht=-10,se.fill(null),qs(null,!0,!0),fe&&(vs=fe)}function nf(v,A,N,U,H,J,ae){ue._lock||(Ze(
+v),vo(),xh(),v!=null&&wo(_f,n,Ot,Ht,B,Re,null))}function sf(){S.forEach(Zx),O(n.width,n.height,!0)}js(Fa,Tr,sf);let Mr={};Mr.mousedown=ef,Mr.mousemove=Zd,Mr.mouseup=
+tf,Mr.dblclick=nf,Mr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Pi(N,U,!0,!1)},me&&(vt(pf,p,ef),vt(Mh,p,Zd),vt(mf,p,v=>{Ze(v),So(!1)}),vt(gf,p,J0),
+vt(_f,p,nf),Fh.add(n),n.syncRect=So);let Ia=n.hooks=i.hooks||{};function yn(v,A,N){Ln?Rt.push([v,A,N]):v in Ia&&Ia[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
+[]).forEach(v=>{for(let A in v.hooks)Ia[A]=(Ia[A]||[]).concat(v.hooks[A])});let rf=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:Cf,sub:Cf},scales:[w,y[1]?
+y[1].scale:null],match:[Rf,Rf,rf],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(rf),ue.sync=rn;let of=rn.key,yh=Tp(of);function wo(v,A,N,U,H,J,ae){
+rn.filters.pub(v,A,N,U,H,J,ae)&&yh.pub(v,A,N,U,H,J,ae)}yh.sub(n);function K0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&Mr[v](null,A,N,U,H,J,ae)}n.pub=K0;function j0(){
+yh.unsub(n),Fh.delete(n),gn.clear(),Ih(Fa,Tr,sf),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=j0;function vh(){yn("init",i,e),yo(e||i.data,!1),G[w]?dh(w,G[w]):
 vo(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return y.forEach(dr),S.forEach($i),t?t instanceof HTMLElement?(t.appendChild(c),vh()):t(
-n,vh):vh(),n}fn.assign=on;fn.fmtNum=Hh;fn.rangeNum=Oa;fn.rangeLog=za;fn.rangeAsinh=Vh;fn.orient=Qs;fn.pxRatio=wt;fn.join=k_;fn.fmtDate=Xh,fn.tzDate=J_;fn.sync=wp;
-{fn.addGap=Lx,fn.clipGaps=Ha;let i=fn.paths={points:Pp};i.linear=Lp,i.stepped=Ux,i.bars=Fx,i.spline=Bx}function Qi(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
+n,vh):vh(),n}fn.assign=on;fn.fmtNum=Hh;fn.rangeNum=Oa;fn.rangeLog=za;fn.rangeAsinh=Vh;fn.orient=er;fn.pxRatio=wt;fn.join=z_;fn.fmtDate=Xh,fn.tzDate=K_;fn.sync=Tp;
+{fn.addGap=Nx,fn.clipGaps=Ha;let i=fn.paths={points:Ip};i.linear=Np,i.stepped=Fx,i.bars=Ox,i.spline=kx}function Qi(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
 leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function qa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
 "change",i)}var Vn=i=>i.reduce((e,t)=>t>e?t:e,-1/0),Ui=(i={})=>Object.assign(Object.create(null),i);function X(i,e={},...t){let n=Object.assign(document.createElement(
 i),e);return n.append(...t),n}function An(i){if(i==null)return"\u2013";let e=Math.abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".
 concat(Number((i*1e3).toPrecision(4))," mm"):e>=1e-6?"".concat(Number((i*1e6).toPrecision(4))," \xB5m"):"".concat(Number(i.toPrecision(3)).toExponential()," m")}
-function Lo(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Fp=210,Zx=[{title:"Energy",group:"energy",unit:Lo,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
+function Lo(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Op=210,Jx=[{title:"Energy",group:"energy",unit:Lo,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:An,lines:[{label:"lateral error",column:"lat\
 eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:An,lines:[{label:"hi\
-ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Jx(i){return(i.channels??[]).map(({key:e,name:t,
+ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Kx(i){return(i.channels??[]).map(({key:e,name:t,
 unit:n,one:s})=>{let r=o=>({label:s?"value":o,column:"".concat(e," ").concat(o),source:e});return{title:"Channel ".concat(t),unit:o=>o==null?"\u2013":"".concat(
 Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var jh=i=>i===void 0||i.every(e=>e===
-null);function Kx(i,e){let t=i.lines.filter(r=>!jh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
-let o=e.expected[r.source];!o||jh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function jx(i,e,t,n){
+null);function jx(i,e){let t=i.lines.filter(r=>!jh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
+let o=e.expected[r.source];!o||jh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function Qx(i,e,t,n){
 let s=(a,l)=>i.unit(l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.
 dash,spanGaps:!0,points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{
-show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function Qx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
-t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function ey(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
+show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function ey(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
+t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function ty(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
 save(),o.strokeStyle=e.bad,o.lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),
-o.restore()}}function ty(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
-...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function ny(i,e,t,n){let{lines:s,rings:r,table:o}=Kx(i,t);if(o===null)return null;let a=Qi(),l={
-width:e.clientWidth,height:Fp,scales:{x:{time:!1},y:{range:Qx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:ty(i,a),series:jx(
-i,s,r,a),hooks:{draw:[ey(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function iy(i,e){let t=i.lines.filter(n=>!jh(e.actual?.[n.column])).map(n=>{
+o.restore()}}function ny(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
+...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function iy(i,e,t,n){let{lines:s,rings:r,table:o}=jx(i,t);if(o===null)return null;let a=Qi(),l={
+width:e.clientWidth,height:Op,scales:{x:{time:!1},y:{range:ey}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:ny(i,a),series:Qx(
+i,s,r,a),hooks:{draw:[ty(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function sy(i,e){let t=i.lines.filter(n=>!jh(e.actual?.[n.column])).map(n=>{
 let s=e.actual[n.column].at(-1),r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(
-r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Op(i,e,{first:t,groups:n}){let s=[...Zx.filter(d=>n.includes(d.group)),...Jx(e)],r="\
+r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Bp(i,e,{first:t,groups:n}){let s=[...Jx.filter(d=>n.includes(d.group)),...Kx(e)],r="\
 Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(
 t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute(
-"role","img"),u.setAttribute("aria-label",iy(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
-Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>ny(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
-hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Fp})})},show_step(d){
-for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var sy=700,Qh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Bp(i){let e=S=>i.querySelector('figure[data-kind="'.concat(S,
+"role","img"),u.setAttribute("aria-label",sy(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
+Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>iy(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
+hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Op})})},show_step(d){
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var ry=700,Qh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function kp(i){let e=S=>i.querySelector('figure[data-kind="'.concat(S,
 '"]'));if(!e("expected")||!e("actual"))return;let t=Qh(e("expected"),"expected"),n=Qh(e("actual"),"actual"),s=e("difference")?Qh(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
@@ -436,30 +436,30 @@ blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className=
 S,"%)"),r.style.left="".concat(S,"%"),r.hidden=S<=0||S>=100||p,o.hidden=S<=0||p,a.hidden=S>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
 ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
 "aria-pressed","false")},g=S=>{p=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{m(),g(!1),x(Number(c.value))}),u.addEventListener("\
-click",()=>{let S=f!==null;if(m(),g(!1),S)return x(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),x(100),f=setInterval(()=>{b=!b,x(b?100:0)},sy)}),
+click",()=>{let S=f!==null;if(m(),g(!1),S)return x(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),x(100),f=setInterval(()=>{b=!b,x(b?100:0)},ry)}),
 h.addEventListener("click",()=>{m(),g(!p),x(Number(c.value))}),m(),g(!1),x(50);let y=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
-viewer"},l,y))}var Vp={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Gp=Object.
-keys(Vp),kp={name:i=>i.dataset.name,verdict:i=>Gp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},ry=(i,e)=>i<
-e?-1:i>e?1:0;function oy(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*ry(kp[e](s),kp[e](r)));i.append(...n)}function ay(i){let e=[...i.querySelectorAll("th[dat\
+viewer"},l,y))}var Gp={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Hp=Object.
+keys(Gp),zp={name:i=>i.dataset.name,verdict:i=>Hp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},oy=(i,e)=>i<
+e?-1:i>e?1:0;function ay(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*oy(zp[e](s),zp[e](r)));i.append(...n)}function ly(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
-"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),oy(i.tBodies[0],t.dataset.sort,s)})}}
-function zp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
-bel",{},i,n)}}function Hp(i){ay(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
-n=zp("Verdict",Gp.filter(l=>t("verdict").includes(l)),l=>Vp[l]),s=zp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
+"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),ay(i.tBodies[0],t.dataset.sort,s)})}}
+function Vp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
+bel",{},i,n)}}function Wp(i){ly(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
+n=Vp("Verdict",Hp.filter(l=>t("verdict").includes(l)),l=>Gp[l]),s=Vp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
 ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(X("div",{className:"filters"},n.place,s.place,
-X("label",{},"Name",r),o))}var Mm=0,Lu=1,Sm=2;var pa=1,wm=2,ao=3,ks=0,zn=1,Gi=2,sr=0,lo=1,Nu=2,Du=3,Uu=4,Tm=5;var rr=100,Am=101,Em=102,Cm=103,Rm=104,Pm=200,Im=201,Lm=202,Nm=203,Fu=204,Ou=205,Dm=206,Um=207,Fm=208,Om=209,Bm=210,km=211,zm=212,Vm=213,Gm=214,vl=0,bl=1,Ml=2,Jr=3,
-Sl=4,wl=5,Tl=6,Al=7,ec=0,Hm=1,Wm=2,Hi=0,Bu=1,ku=2,zu=3,Vu=4,Gu=5,Hu=6,Wu=7;var Xu=300,or=301,co=302,tc=303,nc=304,El=1e3,Bi=1001,Cl=1002,Mn=1003,Xm=1004;var ma=1005;var Bn=1006,ic=1007;var ds=1008;var Wn=1009,$u=1010,qu=1011,ho=1012,sc=1013,Si=1014,di=1015,wi=1016,rc=1017,oc=1018,ar=1020,Yu=35902,Zu=35899,Ju=1021,Ku=1022,Ti=1023,os=1026,fs=1027,ac=1028,lc=1029,
+X("label",{},"Name",r),o))}var Sm=0,Lu=1,wm=2;var pa=1,Tm=2,ao=3,ks=0,zn=1,Gi=2,rr=0,lo=1,Nu=2,Du=3,Uu=4,Am=5;var or=100,Em=101,Cm=102,Rm=103,Pm=104,Im=200,Lm=201,Nm=202,Dm=203,Fu=204,Ou=205,Um=206,Fm=207,Om=208,Bm=209,km=210,zm=211,Vm=212,Gm=213,Hm=214,vl=0,bl=1,Ml=2,Jr=3,
+Sl=4,wl=5,Tl=6,Al=7,ec=0,Wm=1,Xm=2,Hi=0,Bu=1,ku=2,zu=3,Vu=4,Gu=5,Hu=6,Wu=7;var Xu=300,ar=301,co=302,tc=303,nc=304,El=1e3,Bi=1001,Cl=1002,Mn=1003,$m=1004;var ma=1005;var Bn=1006,ic=1007;var ds=1008;var Wn=1009,$u=1010,qu=1011,ho=1012,sc=1013,Si=1014,di=1015,wi=1016,rc=1017,oc=1018,lr=1020,Yu=35902,Zu=35899,Ju=1021,Ku=1022,Ti=1023,os=1026,fs=1027,ac=1028,lc=1029,
 zs=1030,cc=1031;var hc=1033,ga=33776,_a=33777,xa=33778,ya=33779,uc=35840,dc=35841,fc=35842,pc=35843,mc=36196,gc=37492,_c=37496,xc=37488,yc=37489,va=37490,vc=37491,bc=37808,Mc=37809,
 Sc=37810,wc=37811,Tc=37812,Ac=37813,Ec=37814,Cc=37815,Rc=37816,Pc=37817,Ic=37818,Lc=37819,Nc=37820,Dc=37821,Uc=36492,Fc=36494,Oc=36495,Bc=36283,kc=36284,ba=36285,
-zc=36286;var Vo=2300,Rl=2301,xl=2302,wu=2303,Tu=2400,Au=2401,Eu=2402;var $m=3200;var Vc=0,qm=1,ps="",ei="srgb",Go="srgb-linear",Ho="linear",At="srgb";var yl=7680;var Ym=519,Zm=512,Jm=513,Km=514,ju=515,jm=516,Qm=517,Qu=518,ed=519,eg=35044;var td="300 es",hi=2e3,Kr=2001;function ly(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function cy(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Wo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function tg(){
-let i=Wo("canvas");return i.style.display="block",i}var Wp={},jr=null;function nd(...i){let e="THREE."+i.shift();jr?jr("log",e,...i):console.log(e,...i)}function ng(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
+zc=36286;var Vo=2300,Rl=2301,xl=2302,wu=2303,Tu=2400,Au=2401,Eu=2402;var qm=3200;var Vc=0,Ym=1,ps="",ei="srgb",Go="srgb-linear",Ho="linear",At="srgb";var yl=7680;var Zm=519,Jm=512,Km=513,jm=514,ju=515,Qm=516,eg=517,Qu=518,ed=519,tg=35044;var td="300 es",hi=2e3,Kr=2001;function cy(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function hy(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function Wo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function ng(){
+let i=Wo("canvas");return i.style.display="block",i}var Xp={},jr=null;function nd(...i){let e="THREE."+i.shift();jr?jr("log",e,...i):console.log(e,...i)}function ig(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
 t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function qe(...i){
-i=ng(i);let e="THREE."+i.shift();if(jr)jr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
-ng(i);let e="THREE."+i.shift();if(jr)jr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function zo(...i){
-let e=i.join(" ");e in Wp||(Wp[e]=!0,qe(...i))}function ig(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
-setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var sg={[vl]:vl,[Ml]:Tl,[Sl]:Sl,[Jr]:wl,[bl]:bl,[Tl]:Ml,[Al]:Al,[wl]:Jr},ki=class{addEventListener(e,t){this.
+i=ig(i);let e="THREE."+i.shift();if(jr)jr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
+ig(i);let e="THREE."+i.shift();if(jr)jr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function zo(...i){
+let e=i.join(" ");e in Xp||(Xp[e]=!0,qe(...i))}function sg(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
+setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var rg={[vl]:vl,[Ml]:Tl,[Sl]:Sl,[Jr]:wl,[bl]:bl,[Tl]:Ml,[Al]:Al,[wl]:Jr},ki=class{addEventListener(e,t){this.
 _listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;
 return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(
 t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,
@@ -473,10 +473,10 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},En=["00","01","02","03","0
 4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f\
 4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var eu=Math.PI/180,Pl=180/Math.PI;function Ma(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
 0;return(En[i&255]+En[i>>8&255]+En[i>>16&255]+En[i>>24&255]+"-"+En[e&255]+En[e>>8&255]+"-"+En[e>>16&15|64]+En[e>>24&255]+"-"+En[t&63|128]+En[t>>8&255]+"-"+En[t>>
-16&255]+En[t>>24&255]+En[n&255]+En[n>>8&255]+En[n>>16&255]+En[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function hy(i,e){return(i%
-e+e)%e}function tu(i,e,t){return(1-t)*i+t*e}function rg(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function id(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
-return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function uy(i,e){if(e.constructor===Float32Array)return i;let t=id(e);if(t===
-void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function dy(i,e){if(e.constructor===Float32Array)return i;let t=id(e);
+16&255]+En[t>>24&255]+En[n&255]+En[n>>8&255]+En[n>>16&255]+En[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function uy(i,e){return(i%
+e+e)%e}function tu(i,e,t){return(1-t)*i+t*e}function og(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function id(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
+return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function dy(i,e){if(e.constructor===Float32Array)return i;let t=id(e);if(t===
+void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function fy(i,e){if(e.constructor===Float32Array)return i;let t=id(e);
 if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var st=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
@@ -539,8 +539,8 @@ r3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this
 x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){
 return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){
 return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=
-e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Xp.setFromEuler(e))}applyAxisAngle(e,t){
-return this.applyQuaternion(Xp.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
+e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion($p.setFromEuler(e))}applyAxisAngle(e,t){
+return this.applyQuaternion($p.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
 t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.
 elements,o=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*
 o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*n),d=2*(a*t-r*s),u=2*(r*n-o*t);return this.x=t+l*c+o*u-a*d,this.y=n+
@@ -570,7 +570,7 @@ this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){retu
 this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(
 t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.
 random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},nu=new V,
-Xp=new kn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
+$p=new kn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
 let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]=o,d[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
@@ -589,8 +589,8 @@ return zo("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."
 this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){
 return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},iu=new Qe,$p=new Qe().set(.4123908,.3575843,.1804808,.212639,
-.7151687,.0721923,.0193308,.1191948,.9505322),qp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function fy(){
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},iu=new Qe,qp=new Qe().set(.4123908,.3575843,.1804808,.212639,
+.7151687,.0721923,.0193308,.1191948,.9505322),Yp=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function py(){
 let i={enabled:!0,workingColorSpace:Go,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=rs(s.r),s.
 g=rs(s.g),s.b=rs(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
 transfer===At&&(s.r=Zr(s.r),s.g=Zr(s.g),s.b=Zr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
@@ -599,8 +599,8 @@ transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceC
 return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].
 fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
-{[Go]:{primaries:e,whitePoint:n,transfer:Ho,toXYZ:$p,fromXYZ:qp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:ei},outputColorSpaceConfig:{drawingBufferColorSpace:ei}},
-[ei]:{primaries:e,whitePoint:n,transfer:At,toXYZ:$p,fromXYZ:qp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:ei}}}),i}var _t=fy();function rs(i){
+{[Go]:{primaries:e,whitePoint:n,transfer:Ho,toXYZ:qp,fromXYZ:Yp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:ei},outputColorSpaceConfig:{drawingBufferColorSpace:ei}},
+[ei]:{primaries:e,whitePoint:n,transfer:At,toXYZ:qp,fromXYZ:Yp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:ei}}}),i}var _t=py();function rs(i){
 return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Zr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Nr,Il=class{static getDataURL(e,t="\
 image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Nr===void 0&&(Nr=Wo("canvas")),
 Nr.width=e.width,Nr.height=e.height;let s=Nr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Nr}return n.toDataURL(
@@ -608,15 +608,15 @@ t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImage
 "u"&&e instanceof ImageBitmap){let t=Wo("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=rs(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(rs(t[n]/255)*255):t[n]=rs(t[n]);return{data:t,width:e.width,height:e.height}}else
-return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},py=0,Qr=class{constructor(e=null){this.isTextureSource=!0,
-Object.defineProperty(this,"id",{value:py++}),this.uuid=Ma(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
+return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},my=0,Qr=class{constructor(e=null){this.isTextureSource=!0,
+Object.defineProperty(this,"id",{value:my++}),this.uuid=Ma(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
 s[o].isDataTexture?r.push(su(s[o].image)):r.push(su(s[o]))}else r=su(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function su(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Il.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var my=0,ru=new V,Hn=class i extends ki{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Bi,s=Bi,r=Bn,o=ds,a=Ti,l=Wn,c=i.DEFAULT_ANISOTROPY,d=ps){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:my++}),this.uuid=Ma(),this.name="",this.source=new Qr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var gy=0,ru=new V,Hn=class i extends ki{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Bi,s=Bi,r=Bn,o=ds,a=Ti,l=Wn,c=i.DEFAULT_ANISOTROPY,d=ps){super(),this.
+isTexture=!0,Object.defineProperty(this,"id",{value:gy++}),this.uuid=Ma(),this.name="",this.source=new Qr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new st(0,0),this.repeat=
 new st(1,1),this.center=new st(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
@@ -719,7 +719,7 @@ a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=x+h*a,t[10]=o*l}
 f*a,t[1]=f+p*a,t[5]=o*d,t[9]=x-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,x=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+x,t[1]=l*u,t[5]=
 x*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,x=a*c;t[0]=l*d,t[4]=x-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
 d,t[6]=f*u+p,t[10]=h-x*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,x=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+x,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
-x*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(gy,e,_y)}lookAt(e,t,n){let s=this.elements;
+x*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(_y,e,xy)}lookAt(e,t,n){let s=this.elements;
 return jn.subVectors(e,t),jn.lengthSq()===0&&(jn.z=1),jn.normalize(),As.crossVectors(n,jn),As.lengthSq()===0&&(Math.abs(n.z)===1?jn.x+=1e-4:jn.z+=1e-4,jn.normalize(),
 As.crossVectors(n,jn)),As.normalize(),Ya.crossVectors(jn,As),s[0]=As.x,s[4]=Ya.x,s[8]=jn.x,s[1]=As.y,s[5]=Ya.y,s[9]=jn.y,s[2]=As.z,s[6]=Ya.z,s[10]=jn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
@@ -756,8 +756,8 @@ s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,x;if(l)p=1/(o-r),x=o/(o-r);else if(a===hi)p=-
 "THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
 x,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Dr=new V,yi=new xt,gy=new V(
-0,0,0),_y=new V(1,1,1),As=new V,Ya=new V,jn=new V,Yp=new xt,Zp=new kn,as=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Dr=new V,yi=new xt,_y=new V(
+0,0,0),xy=new V(1,1,1),As=new V,Ya=new V,jn=new V,Zp=new xt,Jp=new kn,as=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -769,15 +769,15 @@ atan2(l,c)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.as
 (this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(at(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-d,c),this._y=Math.atan2(-u,r)):(this.
 _x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-at(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.
 atan2(-d,f),this._y=0);break;default:qe("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),
-this}setFromQuaternion(e,t,n){return Yp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Yp,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
-e.z,t)}reorder(e){return Zp.setFromEuler(this),this.setFromQuaternion(Zp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
+this}setFromQuaternion(e,t,n){return Zp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Zp,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
+e.z,t)}reorder(e){return Jp.setFromEuler(this),this.setFromQuaternion(Jp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
 return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this.
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
 _z,yield this._order}};as.DEFAULT_ORDER="XYZ";var eo=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},xy=0,Jp=new V,Ur=new kn,es=new xt,Za=new V,No=new V,yy=new V,vy=new kn,Kp=new V(1,0,0),jp=new V(0,1,0),Qp=new V(0,0,1),em={type:"added"},by={type:"\
+(1<<e|0))!==0}},yy=0,Kp=new V,Ur=new kn,es=new xt,Za=new V,No=new V,vy=new V,by=new kn,jp=new V(1,0,0),Qp=new V(0,1,0),em=new V(0,0,1),tm={type:"added"},My={type:"\
 removed"},Fr={type:"childadded",child:null},ou={type:"childremoved",child:null},wn=class i extends ki{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:xy++}),this.uuid=Ma(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new as,n=new kn,
+this,"id",{value:yy++}),this.uuid=Ma(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new as,n=new kn,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
@@ -788,23 +788,23 @@ e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==
 return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(
 e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Ur.setFromAxisAngle(
 e,t),this.quaternion.multiply(Ur),this}rotateOnWorldAxis(e,t){return Ur.setFromAxisAngle(e,t),this.quaternion.premultiply(Ur),this}rotateX(e){return this.rotateOnAxis(
-Kp,e)}rotateY(e){return this.rotateOnAxis(jp,e)}rotateZ(e){return this.rotateOnAxis(Qp,e)}translateOnAxis(e,t){return Jp.copy(e).applyQuaternion(this.quaternion),
-this.position.add(Jp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Kp,e)}translateY(e){return this.translateOnAxis(jp,e)}translateZ(e){return this.
-translateOnAxis(Qp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
+jp,e)}rotateY(e){return this.rotateOnAxis(Qp,e)}rotateZ(e){return this.rotateOnAxis(em,e)}translateOnAxis(e,t){return Kp.copy(e).applyQuaternion(this.quaternion),
+this.position.add(Kp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(jp,e)}translateY(e){return this.translateOnAxis(Qp,e)}translateZ(e){return this.
+translateOnAxis(em,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
 e.applyMatrix4(es.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Za.copy(e):Za.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),No.setFromMatrixPosition(
 this.matrixWorld),this.isCamera||this.isLight?es.lookAt(No,Za,this.up):es.lookAt(Za,No,this.up),this.quaternion.setFromRotationMatrix(es),s&&(es.extractRotation(
 s.matrixWorld),Ur.setFromRotationMatrix(es),this.quaternion.premultiply(Ur.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
-this,this.children.push(e),e.dispatchEvent(em),Fr.child=e,this.dispatchEvent(Fr),Fr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
+this,this.children.push(e),e.dispatchEvent(tm),Fr.child=e,this.dispatchEvent(Fr),Fr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
-parent=null,this.children.splice(t,1),e.dispatchEvent(by),ou.child=e,this.dispatchEvent(ou),ou.child=null),this}removeFromParent(){let e=this.parent;return e!==
+parent=null,this.children.splice(t,1),e.dispatchEvent(My),ou.child=e,this.dispatchEvent(ou),ou.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),es.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),es.multiply(e.parent.matrixWorld)),e.applyMatrix4(es),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
-!1,!0),e.dispatchEvent(em),Fr.child=e,this.dispatchEvent(Fr),Fr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
+!1,!0),e.dispatchEvent(tm),Fr.child=e,this.dispatchEvent(Fr),Fr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
-!0,!1),this.matrixWorld.decompose(No,e,yy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(No,vy,e),e}getWorldDirection(e){this.
+!0,!1),this.matrixWorld.decompose(No,e,vy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(No,by,e),e}getWorldDirection(e){this.
 updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.
 children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)
 t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,
@@ -845,7 +845,7 @@ e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,thi
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};wn.DEFAULT_UP=new V(0,1,0);wn.DEFAULT_MATRIX_AUTO_UPDATE=!0;wn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Gn=class extends wn{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},My={type:"move"},to=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},Sy={type:"move"},to=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new Gn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new Gn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===
@@ -864,8 +864,8 @@ copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVe
 l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
 transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(
 s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(
-My)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
-let n=new Gn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},og={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
+Sy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
+let n=new Gn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},ag={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
 aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,
 chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,
 darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,
@@ -886,7 +886,7 @@ violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:1677696
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=ei){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,_t.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=_t.workingColorSpace){return this.r=e,this.g=t,this.b=n,_t.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=_t.
-workingColorSpace){if(e=hy(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=au(o,r,e+1/3),this.g=au(o,r,
+workingColorSpace){if(e=uy(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=au(o,r,e+1/3),this.g=au(o,r,
 e),this.b=au(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=ei){function n(r){r!==void 0&&parseFloat(r)<1&&qe("Color: Alpha component of "+e+
 " will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
@@ -894,7 +894,7 @@ exec(a))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(1
 hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(
 r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:qe("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.
 exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.
-setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=ei){let n=og[e.toLowerCase()];
+setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=ei){let n=ag[e.toLowerCase()];
 return n!==void 0?this.setHex(n,t):qe("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=
 e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=rs(e.r),this.g=rs(e.g),this.b=rs(e.b),this}copyLinearToSRGB(e){return this.r=Zr(e.r),this.g=Zr(e.g),this.b=
 Zr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=ei){return _t.
@@ -912,7 +912,7 @@ Es),e.getHSL(Ja);let n=tu(Es.h,Ja.h,t),s=tu(Es.s,Ja.s,t),r=tu(Es.l,Ja.l,t);retur
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
-iterator](){yield this.r,yield this.g,yield this.b}},Cn=new rt;rt.NAMES=og;var $o=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
+iterator](){yield this.r,yield this.g,yield this.b}},Cn=new rt;rt.NAMES=ag;var $o=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
 0,this.backgroundIntensity=1,this.backgroundRotation=new as,this.environmentIntensity=1,this.environmentRotation=new as,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<
 "u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.
 clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,
@@ -920,7 +920,7 @@ this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.ba
 copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){
 let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=
 this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=
-this.environmentRotation.toArray(),t}},vi=new V,ts=new V,lu=new V,ns=new V,Or=new V,Br=new V,tm=new V,cu=new V,hu=new V,uu=new V,du=new Wt,fu=new Wt,pu=new Wt,Oi=class i{constructor(e=new V,t=new V,n=new V){
+this.environmentRotation.toArray(),t}},vi=new V,ts=new V,lu=new V,ns=new V,Or=new V,Br=new V,nm=new V,cu=new V,hu=new V,uu=new V,du=new Wt,fu=new Wt,pu=new Wt,Oi=class i{constructor(e=new V,t=new V,n=new V){
 this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),vi.subVectors(e,t),s.cross(vi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(
 r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){vi.subVectors(s,t),ts.subVectors(n,t),lu.subVectors(e,t);let o=vi.dot(vi),a=vi.dot(ts),l=vi.dot(lu),c=ts.dot(ts),
 d=ts.dot(lu),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,p=(o*d-a*l)*h;return r.set(1-f-p,p,f)}static containsPoint(e,t,n,s){return this.
@@ -937,8 +937,8 @@ e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a
 return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Or.subVectors(s,n),Br.subVectors(r,n),cu.subVectors(e,n);let l=Or.
 dot(cu),c=Br.dot(cu);if(l<=0&&c<=0)return t.copy(n);hu.subVectors(e,s);let d=Or.dot(hu),u=Br.dot(hu);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
 d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Or,o);uu.subVectors(e,r);let f=Or.dot(uu),p=Br.dot(uu);if(p>=0&&f<=p)return t.copy(r);let x=f*c-l*p;if(x<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Br,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return tm.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-tm,a);let g=1/(m+x+h);return o=x*g,a=h*g,t.copy(n).addScaledVector(Or,o).addScaledVector(Br,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Br,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return nm.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+nm,a);let g=1/(m+x+h);return o=x*g,a=h*g,t.copy(n).addScaledVector(Or,o).addScaledVector(Br,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},zi=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(bi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(bi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -959,7 +959,7 @@ e.center,bi),bi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e
 (t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.
 min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){
 if(this.isEmpty())return!1;this.getCenter(Do),ja.subVectors(this.max,Do),kr.subVectors(e.a,Do),zr.subVectors(e.b,Do),Vr.subVectors(e.c,Do),Cs.subVectors(zr,kr),
-Rs.subVectors(Vr,zr),er.subVectors(kr,Vr);let t=[0,-Cs.z,Cs.y,0,-Rs.z,Rs.y,0,-er.z,er.y,Cs.z,0,-Cs.x,Rs.z,0,-Rs.x,er.z,0,-er.x,-Cs.y,Cs.x,0,-Rs.y,Rs.x,0,-er.y,er.
+Rs.subVectors(Vr,zr),tr.subVectors(kr,Vr);let t=[0,-Cs.z,Cs.y,0,-Rs.z,Rs.y,0,-tr.z,tr.y,Cs.z,0,-Cs.x,Rs.z,0,-Rs.x,tr.z,0,-tr.x,-Cs.y,Cs.x,0,-Rs.y,Rs.x,0,-tr.y,tr.
 x,0];return!mu(t,kr,zr,Vr,ja)||(t=[1,0,0,0,1,0,0,0,1],!mu(t,kr,zr,Vr,ja))?!1:(Qa.crossVectors(Cs,Rs),t=[Qa.x,Qa.y,Qa.z],mu(t,kr,zr,Vr,ja))}clampPoint(e,t){return t.
 copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,bi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(
 e.center),e.radius=this.getSize(bi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.
@@ -969,10 +969,10 @@ is[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),is[5].set(this.max.x
 z).applyMatrix4(e),is[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(is),this)}translate(e){return this.min.add(e),this.max.add(e),
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
 fromArray(e.min),this.max.fromArray(e.max),this}},is=[new V,new V,new V,new V,new V,new V,new V,new V],bi=new V,Ka=new zi,kr=new V,zr=new V,Vr=new V,Cs=new V,Rs=new V,
-er=new V,Do=new V,ja=new V,Qa=new V,tr=new V;function mu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){tr.fromArray(i,r);let a=s.x*Math.abs(tr.x)+s.y*Math.abs(
-tr.y)+s.z*Math.abs(tr.z),l=e.dot(tr),c=t.dot(tr),d=n.dot(tr);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,el=new st,Sy=0,Mi=class extends ki{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
-Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:Sy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
-t:0,this.normalized=n,this.usage=eg,this.updateRanges=[],this.gpuType=di,this.version=0,this._normalizationScale=e!==void 0?id(e):void 0}onUploadCallback(){}set needsUpdate(e){
+tr=new V,Do=new V,ja=new V,Qa=new V,nr=new V;function mu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){nr.fromArray(i,r);let a=s.x*Math.abs(nr.x)+s.y*Math.abs(
+nr.y)+s.z*Math.abs(nr.z),l=e.dot(nr),c=t.dot(nr),d=n.dot(nr);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,el=new st,wy=0,Mi=class extends ki{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:wy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
+t:0,this.normalized=n,this.usage=tg,this.updateRanges=[],this.gpuType=di,this.version=0,this._normalizationScale=e!==void 0?id(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
 length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.
 usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<
@@ -993,8 +993,8 @@ array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,t
 r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.
 constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.
 normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;
-return t!==void 0?Math.max(e/t,-1):uy(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):dy(e,this.array)}};var qo=class extends Mi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Yo=class extends Mi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends Mi{constructor(e,t,n){super(new Float32Array(e),t,n)}},wy=new zi,Uo=new V,gu=new V,ls=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
-center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):wy.setFromPoints(e).getCenter(
+return t!==void 0?Math.max(e/t,-1):dy(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):fy(e,this.array)}};var qo=class extends Mi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Yo=class extends Mi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends Mi{constructor(e,t,n){super(new Float32Array(e),t,n)}},Ty=new zi,Uo=new V,gu=new V,ls=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
+center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):Ty.setFromPoints(e).getCenter(
 n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),
 this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(
 this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.
@@ -1006,11 +1006,11 @@ copy(e),this.radius=0,this;Uo.subVectors(e,this.center);let t=Uo.lengthSq();if(t
 Uo,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
 radius,e.radius):(gu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Uo.copy(e.center).add(gu)),this.expandByPoint(Uo.copy(e.center).sub(
 gu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},Ty=0,ci=new xt,_u=new wn,Gr=new V,Qn=new zi,Fo=new zi,
-bn=new V,ln=class i extends ki{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:Ty++}),this.uuid=Ma(),this.name="",this.type=
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},Ay=0,ci=new xt,_u=new wn,Gr=new V,Qn=new zi,Fo=new zi,
+bn=new V,ln=class i extends ki{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:Ay++}),this.uuid=Ma(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
-return Array.isArray(e)?this.index=new(ly(e)?Yo:qo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
+return Array.isArray(e)?this.index=new(cy(e)?Yo:qo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
 indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){
 return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.
 start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==
@@ -1069,22 +1069,22 @@ n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let d=s[c]
 u=r[c];for(let h=0,f=u.length;h<f;h++)d.push(u[h].clone(t));this.morphAttributes[c]=d}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,
 d=o.length;c<d;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;
 return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
-e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var xu=new V,Ay=new V,Ey=new Qe,ti=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
+e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var xu=new V,Ey=new V,Cy=new Qe,ti=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
 constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=
--t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=xu.subVectors(n,t).cross(Ay.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
+-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=xu.subVectors(n,t).cross(Ey.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
 e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.
 constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.
 distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(
 xu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
 (o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>
 0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(
--this.constant)}applyMatrix4(e,t){let n=t||Ey.getNormalMatrix(e),s=this.coplanarPoint(xu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
+-this.constant)}applyMatrix4(e,t){let n=t||Cy.getNormalMatrix(e),s=this.coplanarPoint(xu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
-this.constant=e.constant,this}},Cy=0,cs=class extends ki{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:Cy++}),this.uuid=Ma(),this.
+this.constant=e.constant,this}},Ry=0,cs=class extends ki{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:Ry++}),this.uuid=Ma(),this.
 name="",this.type="Material",this.blending=lo,this.side=ks,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Fu,this.blendDst=
-Ou,this.blendEquation=rr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
-Jr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Ym,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=yl,this.stencilZFail=
+Ou,this.blendEquation=or,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
+Jr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Zm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=yl,this.stencilZFail=
 yl,this.stencilZPass=yl,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
 forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){
@@ -1232,8 +1232,8 @@ this.combine=ec,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,t
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
 this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.
 envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=
-e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},nm=new xt,nr=new no,il=new ls,im=new V,
-sl=new V,rl=new V,ol=new V,vu=new V,al=new V,sm=new V,ll=new V,ui=class extends wn{constructor(e=new ln,t=new hs){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
+e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},im=new xt,ir=new no,il=new ls,sm=new V,
+sl=new V,rl=new V,ol=new V,vu=new V,al=new V,rm=new V,ll=new V,ui=class extends wn{constructor(e=new ln,t=new hs){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
 e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.
 morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.
 morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,
@@ -1242,9 +1242,9 @@ this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttr
 let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&
 a){al.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(vu.fromBufferAttribute(u,e),o?al.addScaledVector(vu,d):al.addScaledVector(vu.sub(t),d))}
 t.add(al)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
-null&&n.computeBoundingSphere(),il.copy(n.boundingSphere),il.applyMatrix4(r),nr.copy(e.ray).recast(e.near),!(il.containsPoint(nr.origin)===!1&&(nr.intersectSphere(
-il,im)===null||nr.origin.distanceToSquared(im)>(e.far-e.near)**2))&&(nm.copy(r).invert(),nr.copy(e.ray).applyMatrix4(nm),!(n.boundingBox!==null&&nr.intersectsBox(
-n.boundingBox)===!1)&&this._computeIntersections(e,t,nr)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
+null&&n.computeBoundingSphere(),il.copy(n.boundingSphere),il.applyMatrix4(r),ir.copy(e.ray).recast(e.near),!(il.containsPoint(ir.origin)===!1&&(ir.intersectSphere(
+il,sm)===null||ir.origin.distanceToSquared(sm)>(e.far-e.near)**2))&&(im.copy(r).invert(),ir.copy(e.ray).applyMatrix4(im),!(n.boundingBox!==null&&ir.intersectsBox(
+n.boundingBox)===!1)&&this._computeIntersections(e,t,ir)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
 c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,x=h.length;p<x;p++){let m=h[p],g=o[m.
 materialIndex],y=Math.max(m.start,f.start),S=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let b=y,C=S;b<C;b+=3){let w=a.getX(b),_=a.getX(b+1),
 M=a.getX(b+2);s=cl(this,g,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),x=Math.
@@ -1252,18 +1252,18 @@ min(a.count,f.start+f.count);for(let m=p,g=x;m<g;m+=3){let y=a.getX(m),S=a.getX(
 t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,x=h.length;p<x;p++){let m=h[p],g=o[m.materialIndex],y=Math.max(m.start,f.start),S=Math.min(l.count,
 Math.min(m.start+m.count,f.start+f.count));for(let b=y,C=S;b<C;b+=3){let w=b,_=b+1,M=b+2;s=cl(this,g,e,n,c,d,u,w,_,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
 m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),x=Math.min(l.count,f.start+f.count);for(let m=p,g=x;m<g;m+=3){let y=m,S=m+1,b=m+2;s=cl(this,o,e,n,c,d,
-u,y,S,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Ry(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+u,y,S,b),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function Py(i,e,t,n,s,r,o,a){let l;if(e.side===zn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===ks,a),l===null)return null;ll.copy(a),ll.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ll);return c<t.near||c>t.far?null:{distance:c,
-point:ll.clone(),object:i}}function cl(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,sl),i.getVertexPosition(l,rl),i.getVertexPosition(c,ol);let d=Ry(i,e,t,n,sl,rl,
-ol,sm);if(d){let u=new V;Oi.getBarycoord(sm,sl,rl,ol,u),s&&(d.uv=Oi.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Oi.getInterpolatedAttribute(r,a,l,c,u,
+point:ll.clone(),object:i}}function cl(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,sl),i.getVertexPosition(l,rl),i.getVertexPosition(c,ol);let d=Py(i,e,t,n,sl,rl,
+ol,rm);if(d){let u=new V;Oi.getBarycoord(rm,sl,rl,ol,u),s&&(d.uv=Oi.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Oi.getInterpolatedAttribute(r,a,l,c,u,
 new st)),o&&(d.normal=Oi.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
 Oi.getNormal(sl,rl,ol,h.normal),d.face=h,d.barycoord=u}return d}var Zo=class extends Hn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Mn,d=Mn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Jo=class extends Mi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
-e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Hr=new xt,rm=new xt,hl=[],
-om=new zi,Py=new xt,Oo=new ui,Bo=new ls,Is=class extends ui{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Jo(new Float32Array(n*
-16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,Py)}computeBoundingBox(){
+e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Hr=new xt,om=new xt,hl=[],
+am=new zi,Iy=new xt,Oo=new ui,Bo=new ls,Is=class extends ui{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Jo(new Float32Array(n*
+16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,Iy)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new zi),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
-t;n++)this.getMatrixAt(n,Hr),om.copy(e.boundingBox).applyMatrix4(Hr),this.boundingBox.union(om)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
+t;n++)this.getMatrixAt(n,Hr),am.copy(e.boundingBox).applyMatrix4(Hr),this.boundingBox.union(am)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
 null&&(this.boundingSphere=new ls),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,Hr),
 Bo.copy(e.boundingSphere).applyMatrix4(Hr),this.boundingSphere.union(Bo)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
 e.morphTexture!==null?e.morphTexture.clone():null,this.instanceColor=e.instanceColor!==null?e.instanceColor.clone():null,this.count=e.count,this.boundingBox=e.boundingBox!==
@@ -1271,34 +1271,34 @@ null?e.boundingBox.clone():null,this.boundingSphere=e.boundingSphere!==null?e.bo
 t.setRGB(1,1,1):t.fromArray(this.instanceColor.array,e*3)}getMatrixAt(e,t){return t.fromArray(this.instanceMatrix.array,e*16)}getMorphAt(e,t){let n=t.morphTargetInfluences,
 s=this.morphTexture.source.data.data,r=n.length+1,o=e*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(e,t){let n=this.matrixWorld,s=this.count;if(Oo.geometry=
 this.geometry,Oo.material=this.material,Oo.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),Bo.copy(this.boundingSphere),Bo.applyMatrix4(
-n),e.ray.intersectsSphere(Bo)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Hr),rm.multiplyMatrices(n,Hr),Oo.matrixWorld=rm,Oo.raycast(e,hl);for(let o=0,a=hl.length;o<
+n),e.ray.intersectsSphere(Bo)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Hr),om.multiplyMatrices(n,Hr),Oo.matrixWorld=om,Oo.raycast(e,hl);for(let o=0,a=hl.length;o<
 a;o++){let l=hl[o];l.instanceId=r,l.object=this,t.push(l)}hl.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new Jo(new Float32Array(
 this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3),this}setMatrixAt(e,t){return t.toArray(this.instanceMatrix.array,e*16),this}setMorphAt(e,t){
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Zo(new Float32Array(s*this.count),s,this.count,ac,di));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},ir=new ls,Iy=new st(.5,.5),ul=new V,Ls=class{constructor(e=new ti,t=new ti,n=new ti,s=new ti,r=new ti,o=new ti){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},sr=new ls,Ly=new st(.5,.5),ul=new V,Ls=class{constructor(e=new ti,t=new ti,n=new ti,s=new ti,r=new ti,o=new ti){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=hi,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],x=r[9],
 m=r[10],g=r[11],y=r[12],S=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-y).normalize(),s[1].setComponents(c+o,f+d,g+p,C+y).normalize(),s[2].setComponents(
 c+a,f+u,g+x,C+S).normalize(),s[3].setComponents(c-a,f-u,g-x,C-S).normalize(),n)s[4].setComponents(l,h,m,b).normalize(),s[5].setComponents(c-l,f-h,g-m,C-b).normalize();else if(s[4].
 setComponents(c-l,f-h,g-m,C-b).normalize(),t===hi)s[5].setComponents(c+l,f+h,g+m,C+b).normalize();else if(t===Kr)s[5].setComponents(l,h,m,b).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
-e.computeBoundingSphere(),ir.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),ir.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(ir)}intersectsSprite(e){ir.center.set(0,0,0);let t=Iy.distanceTo(e.center);return ir.
-radius=.7071067811865476+t,ir.applyMatrix4(e.matrixWorld),this.intersectsSphere(ir)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
+e.computeBoundingSphere(),sr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),sr.copy(
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(sr)}intersectsSprite(e){sr.center.set(0,0,0);let t=Ly.distanceTo(e.center);return sr.
+radius=.7071067811865476+t,sr.applyMatrix4(e.matrixWorld),this.intersectsSphere(sr)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(ul.x=s.normal.x>0?e.max.x:e.min.x,ul.y=s.normal.
 y>0?e.max.y:e.min.y,ul.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(ul)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
-e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},am=new xt,Dl=class i{constructor(){this.coordinateSystem=hi,this._frustums=[],this._count=
-0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];am.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
-void 0&&(n[s]=new Ls),n[s].setFromProjectionMatrix(am,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
+e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},lm=new xt,Dl=class i{constructor(){this.coordinateSystem=hi,this._frustums=[],this._count=
+0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];lm.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
+void 0&&(n[s]=new Ls),n[s].setFromProjectionMatrix(lm,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
 void 0&&(t[s]=new Ls),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Ns=class extends cs{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
-linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Ul=new V,Fl=new V,lm=new xt,ko=new no,dl=new ls,bu=new V,cm=new V,Ol=class extends wn{constructor(e=new ln,t=new Ns){
+linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Ul=new V,Fl=new V,cm=new xt,ko=new no,dl=new ls,bu=new V,hm=new V,Ol=class extends wn{constructor(e=new ln,t=new Ns){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
 return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==
 void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.
@@ -1306,22 +1306,22 @@ slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=th
 count;s<r;s++)Ul.fromBufferAttribute(t,s-1),Fl.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=Ul.distanceTo(Fl);e.setAttribute("lineDistance",new yt(n,1))}else qe("\
 Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),dl.copy(n.boundingSphere),dl.
-applyMatrix4(s),dl.radius+=r,e.ray.intersectsSphere(dl)===!1)return;lm.copy(s).invert(),ko.copy(e.ray).applyMatrix4(lm);let a=r/((this.scale.x+this.scale.y+this.
+applyMatrix4(s),dl.radius+=r,e.ray.intersectsSphere(dl)===!1)return;cm.copy(s).invert(),ko.copy(e.ray).applyMatrix4(cm);let a=r/((this.scale.x+this.scale.y+this.
 scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let x=f,
 m=p-1;x<m;x+=c){let g=d.getX(x),y=d.getX(x+1),S=fl(this,e,ko,l,g,y,x);S&&t.push(S)}if(this.isLineLoop){let x=d.getX(p-1),m=d.getX(f),g=fl(this,e,ko,l,x,m,p-1);g&&
 t.push(g)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let x=f,m=p-1;x<m;x+=c){let g=fl(this,e,ko,l,x,x+1,x);g&&t.push(g)}if(this.isLineLoop){
 let x=fl(this,e,ko,l,p-1,f,p-1);x&&t.push(x)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function fl(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Ul.fromBufferAttribute(a,s),Fl.fromBufferAttribute(a,r),t.distanceSqToSegment(Ul,Fl,bu,
-cm)>n)return;bu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(bu);if(!(c<e.near||c>e.far))return{distance:c,point:cm.clone().applyMatrix4(i.matrixWorld),
-index:o,face:null,faceIndex:null,barycoord:null,object:i}}var hm=new V,um=new V,io=class extends Ol{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
-"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)hm.fromBufferAttribute(
-t,s),um.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+hm.distanceTo(um);e.setAttribute("lineDistance",new yt(n,1))}else qe("LineSegments.computeLin\
-eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Ko=class extends Hn{constructor(e=[],t=or,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
+hm)>n)return;bu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(bu);if(!(c<e.near||c>e.far))return{distance:c,point:hm.clone().applyMatrix4(i.matrixWorld),
+index:o,face:null,faceIndex:null,barycoord:null,object:i}}var um=new V,dm=new V,io=class extends Ol{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
+"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)um.fromBufferAttribute(
+t,s),dm.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+um.distanceTo(dm);e.setAttribute("lineDistance",new yt(n,1))}else qe("LineSegments.computeLin\
+eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Ko=class extends Hn{constructor(e=[],t=ar,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
 this.image=e}};var us=class extends Hn{constructor(e,t,n=Si,s,r,o,a=Mn,l=Mn,c,d=os,u=1){if(d!==os&&d!==fs)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
 hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:u};super(h,s,r,o,a,l,d,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
 compareFunction=null}copy(e){return super.copy(e),this.source=new Qr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
-toJSON(e);return t.compareFunction=this.compareFunction,t}},jo=class extends us{constructor(e,t=Si,n=or,s,r,o=Mn,a=Mn,l,c=os){let d={width:e,height:e,depth:1},u=[
+toJSON(e);return t.compareFunction=this.compareFunction,t}},jo=class extends us{constructor(e,t=Si,n=ar,s,r,o=Mn,a=Mn,l,c=os){let d={width:e,height:e,depth:1},u=[
 d,d,d,d,d,d];super(e,e,t,n,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},
 Qo=class extends Hn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},
 Ds=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
@@ -1377,17 +1377,17 @@ u=new V,h=new V,f=[],p=[],x=[],m=[];for(let g=0;g<=n;g++){let y=[],S=g/n,b=o+S*a
 R+_,1-S),y.push(c++)}d.push(y)}for(let g=0;g<n;g++)for(let y=0;y<t;y++){let S=d[g][y+1],b=d[g][y],C=d[g+1][y],w=d[g+1][y+1];(g!==0||o>0)&&f.push(S,b,w),(g!==n-1||
 l<Math.PI)&&f.push(b,C,w)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(x,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
-phiLength,e.thetaStart,e.thetaLength)}};function lr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(dm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
- cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(dm(s[0])){let r=[];for(let o=0,a=s.length;o<
-a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Rn(i){let e={};for(let t=0;t<i.length;t++){let n=lr(i[t]);for(let s in n)
-e[s]=n[s]}return e}function dm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Ly(i){
+phiLength,e.thetaStart,e.thetaLength)}};function cr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(fm(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
+ cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(fm(s[0])){let r=[];for(let o=0,a=s.length;o<
+a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Rn(i){let e={};for(let t=0;t<i.length;t++){let n=cr(i[t]);for(let s in n)
+e[s]=n[s]}return e}function fm(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function Ny(i){
 let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function sd(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var ag={clone:lr,merge:Rn},Ny="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
-0 );\n}",Dy="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",Vi=class extends cs{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
-rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Ny,this.fragmentShader=Dy,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
+!0?e.texture.colorSpace:_t.workingColorSpace}var lg={clone:cr,merge:Rn},Dy="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+0 );\n}",Uy="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",Vi=class extends cs{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
+rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Dy,this.fragmentShader=Uy,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=lr(e.uniforms),this.uniformsGroups=Ly(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=cr(e.uniforms),this.uniformsGroups=Ny(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1413,7 +1413,7 @@ e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.n
 e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(
 e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.envMapIntensity=e.envMapIntensity,this.refractionRatio=e.refractionRatio,this.wireframe=
 e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.
-flatShading,this.fog=e.fog,this}},zl=class extends cs{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=$m,this.
+flatShading,this.fog=e.fog,this}},zl=class extends cs{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=qm,this.
 map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(
 e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
 e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},Vl=class extends cs{constructor(e){
@@ -1438,9 +1438,9 @@ h*x-h*p,y=(1+h)*m+(-1.5-2*h)*x+(-.5+h)*p+1,S=(-1-f)*m+(1.5+f)*x+.5*p,b=f*m-f*x;f
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Wl=class extends Fs{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Xl=class extends Fs{interpolate_(e,t,n,s){
 let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),x=1-p;for(let m=0;m!==
-a;++m)r[m]=o[c+m]*x+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let x=o[c+p],m=o[l+p],g=f*h+p*2,y=u[g],S=u[g+1],b=e*h+p*2,C=d[b],w=d[b+1],_=Fy(n,t,
-y,C,s);r[p]=lg(_,x,S,w,m)}return r}};function lg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Uy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
-e)+6*r*i*(n-t)+3*i*i*(s-n)}function Fy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=lg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Uy(r,e,t,n,s);if(Math.
+a;++m)r[m]=o[c+m]*x+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let x=o[c+p],m=o[l+p],g=f*h+p*2,y=u[g],S=u[g+1],b=e*h+p*2,C=d[b],w=d[b+1],_=Oy(n,t,
+y,C,s);r[p]=cg(_,x,S,w,m)}return r}};function cg(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function Fy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+e)+6*r*i*(n-t)+3*i*i*(s-n)}function Oy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=cg(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=Fy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ii=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Wr(t,this.TimeBufferType),
 this.values=Wr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
@@ -1454,19 +1454,19 @@ if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyfr
 this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return qe("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){
 switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return Vo;case this.InterpolantFactoryMethodLinear:return Rl;case this.InterpolantFactoryMethodSmooth:
 return xl;case this.InterpolantFactoryMethodBezier:return wu}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,
-s=t.length;n!==s;++n)t[n]+=e;pl(this.settings)&&(fm(this.settings.inTangents,e),fm(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
-for(let n=0,s=t.length;n!==s;++n)t[n]*=e;pl(this.settings)&&(pm(this.settings.inTangents,e),pm(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
+s=t.length;n!==s;++n)t[n]+=e;pl(this.settings)&&(pm(this.settings.inTangents,e),pm(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
+for(let n=0,s=t.length;n!==s;++n)t[n]*=e;pl(this.settings)&&(mm(this.settings.inTangents,e),mm(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
 s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.
 slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Ke("KeyframeTrack: Invalid value s\
 ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];
 if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
-a,l,o),e=!1;break}o=l}if(s!==void 0&&cy(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
+a,l,o),e=!1;break}o=l}if(s!==void 0&&hy(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
 e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===xl,r=e.length-1,o=1;for(let a=1;a<
 r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let x=t[u+p];if(x!==t[h+p]||x!==t[f+p]){
 l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
 ++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),
 n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,pl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
-slice(),outTangents:this.settings.outTangents.slice()}),s}};function fm(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function pm(i,e){for(let t=0,n=i.length;t!==
+slice(),outTangents:this.settings.outTangents.slice()}),s}};function pm(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function mm(i,e){for(let t=0,n=i.length;t!==
 n;t+=2)i[t]*=e}ii.prototype.ValueTypeName="";ii.prototype.TimeBufferType=Float32Array;ii.prototype.ValueBufferType=Float32Array;ii.prototype.DefaultInterpolation=
 Rl;var Os=class extends ii{constructor(e,t,n){super(e,t,n)}};Os.prototype.ValueTypeName="bool";Os.prototype.ValueBufferType=Array;Os.prototype.DefaultInterpolation=
 Vo;Os.prototype.InterpolantFactoryMethodLinear=void 0;Os.prototype.InterpolantFactoryMethodSmooth=void 0;var $l=class extends ii{constructor(e,t,n,s){super(e,t,
@@ -1481,7 +1481,7 @@ s.onLoad!==void 0&&s.onLoad())},this.itemError=function(d){s.onError!==void 0&&s
 setURLModifier=function(d){return l=d,this},this.addHandler=function(d,u){return c.push(d,u),this},this.removeHandler=function(d){let u=c.indexOf(d);return u!==
 -1&&c.splice(u,2),this},this.getHandler=function(d){for(let u=0,h=c.length;u<h;u+=2){let f=c[u],p=c[u+1];if(f.global&&(f.lastIndex=0),f.test(d))return p}return null},
 this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=
-new AbortController),this._abortController}},cg=new Jl,Kl=class{constructor(e){this.manager=e!==void 0?e:cg,this.crossOrigin="anonymous",this.withCredentials=!1,
+new AbortController),this._abortController}},hg=new Jl,Kl=class{constructor(e){this.manager=e!==void 0?e:hg,this.crossOrigin="anonymous",this.withCredentials=!1,
 this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(
 new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.
 crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){
@@ -1490,11 +1490,11 @@ return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setC
 intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.
 color.getHex(),t.object.intensity=this.intensity,t}},la=class extends aa{constructor(e,t,n){super(e,n),this.isHemisphereLight=!0,this.type="HemisphereLight",this.
 position.copy(wn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new rt(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){
-let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},Mu=new xt,mm=new V,gm=new V,jl=class{constructor(e){this.camera=e,this.intensity=
+let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},Mu=new xt,gm=new V,_m=new V,jl=class{constructor(e){this.camera=e,this.intensity=
 1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new st(512,512),this.mapType=Wn,this.map=null,this.mapPass=null,
 this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Ls,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
-1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;mm.setFromMatrixPosition(
-e.matrixWorld),t.position.copy(mm),gm.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(gm),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
+1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;gm.setFromMatrixPosition(
+e.matrixWorld),t.position.copy(gm),_m.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(_m),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
 Mu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(Mu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
 x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===Kr||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*
 o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(Mu)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
@@ -1508,15 +1508,15 @@ return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.p
 this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.
 matrixWorld.decompose(ml,gl,Fi),Fi.x===1&&Fi.y===1&&Fi.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ml,gl,Fi.set(
 1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(ml,gl,Fi),Fi.x===1&&Fi.y===1&&Fi.z===1?this.matrixWorldInverse.
-copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ml,gl,Fi.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Ps=new V,_m=new st,
-xm=new st,On=class extends ca{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
+copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ml,gl,Fi.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Ps=new V,xm=new st,
+ym=new st,On=class extends ca{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
 n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.
 fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=
 e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Pl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
 let e=Math.tan(eu*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Pl*2*Math.atan(Math.tan(eu*.5*this.fov)/this.zoom)}getFilmWidth(){return this.
 filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){Ps.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),
 t.set(Ps.x,Ps.y).multiplyScalar(-e/Ps.z),Ps.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(Ps.x,Ps.y).multiplyScalar(-e/Ps.z)}getViewSize(e,t){return this.
-getViewBounds(e,_m,xm),t.subVectors(xm,_m)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
+getViewBounds(e,xm,ym),t.subVectors(ym,xm)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,
 offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.
 height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.
 near,t=e*Math.tan(eu*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=
@@ -1551,16 +1551,16 @@ e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.set
 n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
 e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=x,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
 u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Ql=class extends On{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
-e,this.perCameraFrustumCulled=!1}};var rd="\\[\\]\\.:\\/",Oy=new RegExp("["+rd+"]","g"),od="[^"+rd+"]",By="[^"+rd.replace("\\.","")+"]",ky=/((?:WC+[\/:])*)/.source.replace("WC",od),zy=/(WCOD+)?/.
-source.replace("WCOD",By),Vy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",od),Gy=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",od),Hy=new RegExp("^"+ky+zy+Vy+Gy+
-"$"),Wy=["material","materials","bones","map"],Ru=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
+e,this.perCameraFrustumCulled=!1}};var rd="\\[\\]\\.:\\/",By=new RegExp("["+rd+"]","g"),od="[^"+rd+"]",ky="[^"+rd.replace("\\.","")+"]",zy=/((?:WC+[\/:])*)/.source.replace("WC",od),Vy=/(WCOD+)?/.
+source.replace("WCOD",ky),Gy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",od),Hy=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",od),Wy=new RegExp("^"+zy+Vy+Gy+Hy+
+"$"),Xy=["material","materials","bones","map"],Ru=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
 this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.
 nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){
 let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},Vt=class i{constructor(e,t,n){this.path=t,this.parsedPath=
 n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){
-return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Oy,"")}static parseTrackName(e){
-let t=Hy.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
-propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Wy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
+return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(By,"")}static parseTrackName(e){
+let t=Wy.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
+propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Xy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
 substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from track\
 Name: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);
 if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}
@@ -1596,27 +1596,27 @@ prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getVa
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var Z1=new Float32Array(1);var ym=new xt,ua=class{constructor(e,t,n=0,s=1/0){this.ray=new no(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new eo,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var Q1=new Float32Array(1);var vm=new xt,ua=class{constructor(e,t,n=0,s=1/0){this.ray=new no(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new eo,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
-return ym.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(ym),this}intersectObject(e,t=!0,n=[]){
-return Pu(e,this,n,t),n.sort(vm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Pu(e[s],this,n,t);return n.sort(vm),n}};function vm(i,e){return i.
+return vm.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(vm),this}intersectObject(e,t=!0,n=[]){
+return Pu(e,this,n,t),n.sort(bm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)Pu(e[s],this,n,t);return n.sort(bm),n}};function bm(i,e){return i.
 distance-e.distance}function Pu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
 a;o++)Pu(r[o],e,t,!0)}}var Iu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var bm=new V,_l=new V,qr=new V,Yr=new V,Su=new V,Xy=new V,$y=new V,da=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var Mm=new V,_l=new V,qr=new V,Yr=new V,Su=new V,$y=new V,qy=new V,da=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
 e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(
 .5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){
-return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){bm.subVectors(e,this.start),_l.subVectors(this.end,this.start);let n=_l.
-dot(_l);if(n===0)return 0;let r=_l.dot(bm)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
-n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Xy,n=$y){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;qr.subVectors(c,a),
+return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){Mm.subVectors(e,this.start),_l.subVectors(this.end,this.start);let n=_l.
+dot(_l);if(n===0)return 0;let r=_l.dot(Mm)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
+n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=$y,n=qy){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;qr.subVectors(c,a),
 Yr.subVectors(d,l),Su.subVectors(a,l);let u=qr.dot(qr),h=Yr.dot(Yr),f=Yr.dot(Su);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
 h,o=at(o,0,1);else{let p=qr.dot(Su);if(h<=s)o=0,r=at(-p/u,0,1);else{let x=qr.dot(Yr),m=u*h-x*x;m!==0?r=at((x*f-p*h)/m,0,1):r=0,o=(x*r+f)/h,o<0?(o=0,r=at(-p/u,0,
 1)):o>1&&(o=1,r=at((x-p)/u,0,1))}}return t.copy(a).addScaledVector(qr,r),n.copy(l).addScaledVector(Yr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var fa=class extends io{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let x=h===r?n:s;x.toArray(c,f),f+=3,x.toArray(c,f),f+=3,x.toArray(c,f),f+=3,x.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Ns({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function ad(i,e,t,n){let s=qy(n);switch(t){case Ju:return i*e;case ac:return i*e/s.components*s.byteLength;case lc:return i*e/s.components*s.byteLength;case zs:
+this.geometry.dispose(),this.material.dispose()}};function ad(i,e,t,n){let s=Yy(n);switch(t){case Ju:return i*e;case ac:return i*e/s.components*s.byteLength;case lc:return i*e/s.components*s.byteLength;case zs:
 return i*e*2/s.components*s.byteLength;case cc:return i*e*2/s.components*s.byteLength;case Ku:return i*e*3/s.components*s.byteLength;case Ti:return i*e*4/s.components*
 s.byteLength;case hc:return i*e*4/s.components*s.byteLength;case ga:case _a:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case xa:case ya:return Math.floor((i+
 3)/4)*Math.floor((e+3)/4)*16;case dc:case pc:return Math.max(i,16)*Math.max(e,8)/4;case uc:case fc:return Math.max(i,8)*Math.max(e,8)/2;case mc:case gc:case xc:case yc:
@@ -1627,11 +1627,11 @@ floor((i+7)/8)*Math.floor((e+5)/6)*16;case Cc:return Math.floor((i+7)/8)*Math.fl
 return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Ic:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Lc:return Math.floor((i+9)/10)*Math.floor((e+
 9)/10)*16;case Nc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Dc:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Uc:case Fc:case Oc:return Math.
 ceil(i/4)*Math.ceil(e/4)*16;case Bc:case kc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case ba:case zc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function qy(i){switch(i){case Wn:case $u:return{byteLength:1,components:1};case ho:case qu:case wi:
+le to determine texture byte length for ".concat(t," format."))}function Yy(i){switch(i){case Wn:case $u:return{byteLength:1,components:1};case ho:case qu:case wi:
 return{byteLength:2,components:1};case rc:case oc:return{byteLength:2,components:4};case Si:case sc:case di:return{byteLength:4,components:1};case Yu:case Zu:return{
 byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?qe("\
-WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Ig(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
-s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Zy(i){let e=new WeakMap;
+WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Lg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
+s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Jy(i){let e=new WeakMap;
 function t(a,l){let c=a.array,d=a.usage,u=c.byteLength,h=i.createBuffer();i.bindBuffer(l,h),i.bufferData(l,c,d),a.onUploadCallback();let f;if(c instanceof Float32Array)
 f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=i.HALF_FLOAT:f=
 i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof
@@ -1644,7 +1644,7 @@ a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i
 (a=a.data),a.isGLBufferAttribute){let d=e.get(a);(!d||d.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
 return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
  of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{
-get:s,remove:r,update:o}}var Jy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Ky="#ifdef USE_ALPHAHASH\n c\
+get:s,remove:r,update:o}}var Ky="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",jy="#ifdef USE_ALPHAHASH\n c\
 onst float ALPHA_HASH_SCALE = 0.05;\n float hash2D( vec2 value ) {\n  return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value\
 .y + value.x ) ) ) );\n }\n float hash3D( vec3 value ) {\n  return hash2D( vec2( hash2D( value.xy ), value.z ) );\n }\n float getAlphaHashThreshold( vec3 position ) \
 {\n  float maxDeriv = max(\n   length( dFdx( position.xyz ) ),\n   length( dFdy( position.xyz ) )\n  );\n  float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );\n  \
@@ -1652,28 +1652,28 @@ vec2 pixScales = vec2(\n   exp2( floor( log2( pixScale ) ) ),\n   exp2( ceil( lo
 ion.xyz ) ),\n   hash3D( floor( pixScales.y * position.xyz ) )\n  );\n  float lerpFactor = fract( log2( pixScale ) );\n  float x = ( 1.0 - lerpFactor ) * alpha.x + \
 lerpFactor * alpha.y;\n  float a = min( lerpFactor, 1.0 - lerpFactor );\n  vec3 cases = vec3(\n   x * x / ( 2.0 * a * ( 1.0 - a ) ),\n   ( x - 0.5 * a ) / ( 1.0 - a\
  ),\n   1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )\n  );\n  float threshold = ( x < ( 1.0 - a ) )\n   ? ( ( x < a ) ? cases.x : cases.y )\n   : \
-cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",jy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",Qy="\
-#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",ev="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
- + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",tv="\
-#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",nv="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
+cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",Qy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",ev="\
+#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",tv="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
+ + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",nv="\
+#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",iv="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
 y + 1.0;\n reflectedLight.indirectDiffuse *= ambientOcclusion;\n #if defined( USE_CLEARCOAT ) \n  clearcoatSpecularIndirect *= ambientOcclusion;\n #endif\n #if defin\
 ed( USE_SHEEN ) \n  sheenSpecularIndirect *= ambientOcclusion;\n #endif\n #if defined( USE_ENVMAP ) && defined( STANDARD )\n  float dotNV = saturate( dot( geometryN\
-ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",iv="\
-#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",sv="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
+ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",sv="\
+#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",rv="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
 rawID _gl_DrawID\n uniform int _gl_DrawID;\n #endif\n uniform highp sampler2D batchingTexture;\n uniform highp usampler2D batchingIdTexture;\n mat4 getBatchingMatrix\
 ( const in float i ) {\n  int size = textureSize( batchingTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % size;\n  int y = j / size;\n  vec4 v1 = texelFetch(\
  batchingTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y \
 ), 0 );\n  vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n float getIndirectIndex( const in int i ) {\n  int s\
 ize = textureSize( batchingIdTexture, 0 ).x;\n  int x = i % size;\n  int y = i / size;\n  return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );\n }\n#\
 endif\n#ifdef USE_BATCHING_COLOR\n uniform sampler2D batchingColorTexture;\n vec4 getBatchingColor( const in float i ) {\n  int size = textureSize( batchingColorTex\
-ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",rv="#if\
-def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",ov="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
-ASH\n vPosition = vec3( position );\n#endif",av="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",lv="\
+ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",ov="#if\
+def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",av="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
+ASH\n vPosition = vec3( position );\n#endif",lv="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",cv="\
 float G_BlinnPhong_Implicit( ) {\n return 0.25;\n}\nfloat D_BlinnPhong( const in float shininess, const in float dotNH ) {\n return RECIPROCAL_PI * ( shininess * 0.\
 5 + 1.0 ) * pow( dotNH, shininess );\n}\nvec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, c\
 onst in float shininess ) {\n vec3 halfDir = normalize( lightDir + viewDir );\n float dotNH = saturate( dot( normal, halfDir ) );\n float dotVH = saturate( dot( vi\
 ewDir, halfDir ) );\n vec3 F = F_Schlick( specularColor, 1.0, dotVH );\n float G = G_BlinnPhong_Implicit( );\n float D = D_BlinnPhong( shininess, dotNH );\n return \
-F * ( G * D );\n} // validated",cv="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
+F * ( G * D );\n} // validated",hv="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
 2040259,\n  -0.4985314,  0.0415560,  1.0572252\n );\n vec3 Fresnel0ToIor( vec3 fresnel0 ) {\n  vec3 sqrtF0 = sqrt( fresnel0 );\n  return ( vec3( 1.0 ) + sqrtF0 ) / (\
  vec3( 1.0 ) - sqrtF0 );\n }\n vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmit\
 tedIor + vec3( incidentIor ) ) );\n }\n float IorToFresnel0( float transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - incidentIor ) / ( trans\
@@ -1690,12 +1690,12 @@ seIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );  vec3 R1 = IorToFresnel0(
 escenceIOR ) phi23[ 2 ] = PI;\n  float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;\n  vec3 phi = vec3( phi21 ) + phi23;\n  vec3 R123 = clamp( R12 *\
  R23, 1e-5, 0.9999 );\n  vec3 r123 = sqrt( R123 );\n  vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );\n  vec3 C0 = R12 + Rs;\n  I = C0;\n  vec3 Cm = Rs - T121\
 ;\n  for ( int m = 1; m <= 2; ++ m ) {\n   Cm *= r123;\n   vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );\n   I += Cm * Sm;\n  }\n  return max\
-( I, vec3( 0.0 ) );\n }\n#endif",hv="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
+( I, vec3( 0.0 ) );\n }\n#endif",uv="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
 v );\n  vec2 dSTdy = dFdy( vBumpMapUv );\n  float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;\n  float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv +\
  dSTdx ).x - Hll;\n  float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;\n  return vec2( dBx, dBy );\n }\n vec3 perturbNormalArb( vec3 surf_po\
 s, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {\n  vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );\n  vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );\n \
  vec3 vN = surf_norm;\n  vec3 R1 = cross( vSigmaY, vN );\n  vec3 R2 = cross( vN, vSigmaX );\n  float fDet = dot( vSigmaX, R1 ) * faceDirection;\n  vec3 vGrad = sign\
-( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",uv="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
+( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",dv="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
 ifdef ALPHA_TO_COVERAGE\n  float distanceToPlane, distanceGradient;\n  float clipOpacity = 1.0;\n  #pragma unroll_loop_start\n  for ( int i = 0; i < UNION_CLIPPING_\
 PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;\n   distanceGradient = fwidth( distanceToPlane\
  ) / 2.0;\n   clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );\n   if ( clipOpacity == 0.0 ) discard;\n  }\n  #pragma unroll_loop\
@@ -1706,13 +1706,13 @@ _end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   float unionClipOpaci
 or ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;\n  }\n  #pragma u\
 nroll_loop_end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   bool clipped = true;\n   #pragma unroll_loop_start\n   for ( int i = UNION_CLIPPING_PLANES; i \
 < NUM_CLIPPING_PLANES; i ++ ) {\n    plane = clippingPlanes[ i ];\n    clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;\n   }\n   #pragma unroll_\
-loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",dv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
-CLIPPING_PLANES ];\n#endif",fv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",pv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
-.xyz;\n#endif",mv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",gv="#if defined( USE_COLOR ) || defined( USE_COLOR_\
-ALPHA )\n varying vec4 vColor;\n#endif",_v="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
-OLOR )\n varying vec4 vColor;\n#endif",xv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
+loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",fv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
+CLIPPING_PLANES ];\n#endif",pv="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",mv="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
+.xyz;\n#endif",gv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",_v="#if defined( USE_COLOR ) || defined( USE_COLOR_\
+ALPHA )\n varying vec4 vColor;\n#endif",xv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
+OLOR )\n varying vec4 vColor;\n#endif",yv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
 LOR )\n vColor = vec4( 1.0 );\n#endif\n#ifdef USE_COLOR_ALPHA\n vColor *= color;\n#elif defined( USE_COLOR )\n vColor.rgb *= color;\n#endif\n#ifdef USE_INSTANCING_COLOR\
-\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",yv="#define PI 3.\
+\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",vv="#define PI 3.\
 141592653589793\n#define PI2 6.283185307179586\n#define PI_HALF 1.5707963267948966\n#define RECIPROCAL_PI 0.3183098861837907\n#define RECIPROCAL_PI2 0.1591549430918\
 9535\n#define EPSILON 1e-6\n#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\nfloat pow2( co\
 nst in float x ) { return x*x; }\nvec3 pow2( const in vec3 x ) { return x*x; }\nfloat pow3( const in float x ) { return x*x*x; }\nfloat pow4( const in float x ) { \
@@ -1728,51 +1728,51 @@ c4( dir, 0.0 ) * viewMatrix ).xyz );\n}\nbool isPerspectiveMatrix( mat4 m ) {\n 
 r.z, dir.x ) * RECIPROCAL_PI2 + 0.5;\n float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;\n return vec2( u, v );\n}\nvec3 BRDF_Lambert( const in ve\
 c3 diffuseColor ) {\n return RECIPROCAL_PI * diffuseColor;\n}\nvec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {\n float fresnel = exp2\
 ( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n}\nfloat F_Schlick( const in float f0, const in float f90, const\
- in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",vv="\
+ in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",bv="\
 vec3 transformedNormal = objectNormal;\n#ifdef USE_TANGENT\n vec3 transformedTangent = objectTangent;\n#endif\n#ifdef USE_BATCHING\n mat3 bm = mat3( batchingMatrix )\
 ;\n transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );\n transformedNormal = bm * transformedNormal;\n #ifdef \
 USE_TANGENT\n  transformedTangent = bm * transformedTangent;\n #endif\n#endif\n#ifdef USE_INSTANCING\n mat3 im = mat3( instanceMatrix );\n transformedNormal /= vec3( \
 dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );\n transformedNormal = im * transformedNormal;\n #ifdef USE_TANGENT\n  transformedTange\
 nt = im * transformedTangent;\n #endif\n#endif\ntransformedNormal = normalMatrix * transformedNormal;\n#ifdef FLIP_SIDED\n transformedNormal = - transformedNormal;\n#\
-endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",bv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
-pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",Mv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
-objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",Sv="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
+endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",Mv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
+pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",Sv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
+objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",wv="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
 veColor = texture2D( emissiveMap, vEmissiveMapUv );\n #ifdef DECODE_VIDEO_TEXTURE_EMISSIVE\n  emissiveColor = sRGBTransferEOTF( emissiveColor );\n #endif\n totalEmi\
-ssiveRadiance *= emissiveColor.rgb;\n#endif",wv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",Tv="gl_FragColor = linearToOutputTexel( gl_Fra\
-gColor );",Av="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
+ssiveRadiance *= emissiveColor.rgb;\n#endif",Tv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",Av="gl_FragColor = linearToOutputTexel( gl_Fra\
+gColor );",Ev="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
 2986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );\n}\nvec4 sRGBTransferOETF(\
  in vec4 value ) {\n return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031\
-308 ) ) ) ), value.a );\n}",Ev="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
+308 ) ) ) ), value.a );\n}",Cv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
 atrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToFrag = normalize( vWorldPosition - cameraPosition );\n  }\n  vec3 world\
 Normal = transformNormalByInverseViewMatrix( normal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vec3 reflectVec = reflect( cameraToFrag, worldNormal );\n  \
 #else\n   vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );\n  #endif\n #else\n  vec3 reflectVec = vReflect;\n #endif\n #ifdef ENVMAP_TYPE_CUBE\
 \n  vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );\n  #ifdef ENVMAP_BLENDING_MULTIPLY\n   outgoingLight = mix( outgoingLight, outgoingLight * \
 envColor.xyz, specularStrength * reflectivity );\n  #elif defined( ENVMAP_BLENDING_MIX )\n   outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * \
-reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",Cv="#if\
+reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",Rv="#if\
 def USE_ENVMAP\n uniform float envMapIntensity;\n uniform mat3 envMapRotation;\n uniform samplerCube envMap;\n #ifdef ENVMAP_TYPE_PMREM\n  float roughnessToMip( cons\
-t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Rv="#ifdef USE_ENVMAP\n \
+t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Pv="#ifdef USE_ENVMAP\n \
 uniform float reflectivity;\n #if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #i\
-fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",Pv="#ifdef USE_ENVMAP\n #\
+fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",Iv="#ifdef USE_ENVMAP\n #\
 if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #ifdef ENV_WORLDPOS\n  \n  varying\
- vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Iv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
+ vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",Lv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
 osition = worldPosition.xyz;\n #else\n  vec3 cameraToVertex;\n  if ( isOrthographic ) {\n   cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ \
 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToVertex = normalize( worldPosition.xyz - cameraPosition );\n  }\n  vec3 worldNormal = transformNormalBy\
 InverseViewMatrix( transformedNormal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vReflect = reflect( cameraToVertex, worldNormal );\n  #else\n   vReflect = \
-refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Lv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Nv="#ifdef USE_FO\
-G\n varying float vFogDepth;\n#endif",Dv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
-else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Uv="#if\
+refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Nv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Dv="#ifdef USE_FO\
+G\n varying float vFogDepth;\n#endif",Uv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
+else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Fv="#if\
 def USE_FOG\n uniform vec3 fogColor;\n varying float vFogDepth;\n #ifdef FOG_EXP2\n  uniform float fogDensity;\n #else\n  uniform float fogNear;\n  uniform float fogFa\
-r;\n #endif\n#endif",Fv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
+r;\n #endif\n#endif",Ov="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
 otNL = dot( normal, lightDirection );\n vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );\n #ifdef USE_GRADIENTMAP\n  return vec3( texture2D( gradientMap, coord ).r );\n\
- #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Ov="#ifdef USE\
-_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Bv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
-rial.specularStrength = specularStrength;",kv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
+ #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Bv="#ifdef USE\
+_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",kv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
+rial.specularStrength = specularStrength;",zv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
 ct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geome\
 tryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.directi\
 on ) );\n vec3 irradiance = dotNL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDif\
 fuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClear\
 coatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.di\
-ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",zv="uniform bool receiveShadow;\nuniform vec3 a\
+ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Vv="uniform bool receiveShadow;\nuniform vec3 a\
 mbientLightColor;\n#if defined( USE_LIGHT_PROBES )\n uniform vec3 lightProbe[ 9 ];\n#endif\nvec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {\n\
  float x = normal.x, y = normal.y, z = normal.z;\n vec3 result = shCoefficients[ 0 ] * 0.886227;\n result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;\n result += \
 shCoefficients[ 2 ] * 2.0 * 0.511664 * z;\n result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;\n result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;\n result \
@@ -1802,7 +1802,7 @@ r = vec3( 0.0 );\n   light.visible = false;\n  }\n }\n#endif\n#if NUM_RECT_AREA_
 TS > 0\n struct HemisphereLight {\n  vec3 direction;\n  vec3 skyColor;\n  vec3 groundColor;\n };\n uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];\n vec3 \
 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {\n  float dotNL = dot( normal, hemiLight.direction );\n  float hemiDiffu\
 seWeight = 0.5 * dotNL + 0.5;\n  vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );\n  return irradiance;\n }\n#endif\n#include <\
-lightprobes_pars_fragment>",Vv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
+lightprobes_pars_fragment>",Gv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
 malByInverseViewMatrix( normal, viewMatrix );\n   vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );\n   return PI * envMapCol\
 or.rgb * envMapIntensity;\n  #else\n   return vec3( 0.0 );\n  #endif\n }\n vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness\
  ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 reflectVec = reflect( - viewDir, normal );\n   reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );\n  \
@@ -1818,14 +1818,14 @@ TROPY\n  vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 nor
 const in float roughness, const in vec3 bitangent, const in float anisotropy ) {\n    #ifdef ENVMAP_TYPE_PMREM\n     vec3 bentNormal = cross( bitangent, viewDir )\
 ;\n     bentNormal = normalize( cross( bentNormal, bitangent ) );\n     bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - ro\
 ughness ) ) ) ) );\n     return getIBLRetroRadiance( viewDir, bentNormal, roughness );\n    #else\n     return vec3( 0.0 );\n    #endif\n   }\n  #endif\n #endif\n#endif",
-Gv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Hv="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
+Hv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Wv="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
 ct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometry\
 ClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {\n vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.d\
 irection ) * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDiffuse_Toon( const in ve\
 c3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Toon\
 Material material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\n#define RE_D\
-irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Wv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
-l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Xv="varying vec3 vViewPosition;\nstruct Blin\
+irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Xv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
+l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",$v="varying vec3 vViewPosition;\nstruct Blin\
 nPhongMaterial {\n vec3 diffuseColor;\n vec3 specularColor;\n float specularShininess;\n float specularStrength;\n};\nvoid RE_Direct_BlinnPhong( const in IncidentLigh\
 t directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Blin\
 nPhongMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.direction ) );\n vec3 irradiance = dot\
@@ -1833,7 +1833,7 @@ NL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lamb
 _BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;\n}\nvoid RE\
 _IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec\
 3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_La\
-mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",$v="PhysicalMaterial m\
+mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",qv="PhysicalMaterial m\
 aterial;\nmaterial.diffuseColor = diffuseColor.rgb;\nmaterial.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );\nmaterial.metalness = metalnessFa\
 ctor;\nvec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );\nfloat geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );\nmater\
 ial.roughness = max( roughnessFactor, 0.045 );\nmaterial.roughness += geometryRoughness;\nmaterial.roughness = min( material.roughness, 1.0 );\n#ifdef USE_DIFFUSE_\
@@ -1861,7 +1861,7 @@ exture2D( anisotropyMap, vAnisotropyMapUv ).rgb;\n  vec2 anisotropyV = anisotrop
 #else\n  vec2 anisotropyV = anisotropyVector;\n #endif\n material.anisotropy = length( anisotropyV );\n if( material.anisotropy == 0.0 ) {\n  anisotropyV = vec2( 1.0\
 , 0.0 );\n } else {\n  anisotropyV /= material.anisotropy;\n  material.anisotropy = saturate( material.anisotropy );\n }\n material.alphaT = mix( pow2( material.roug\
 hness ), 1.0, pow2( material.anisotropy ) );\n material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;\n material.anisotropyB = tbn[ 1 ] * ani\
-sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",qv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
+sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Yv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
 cularColor;\n vec3 specularColorBlended;\n float roughness;\n float metalness;\n float specularF90;\n float dispersion;\n vec2 dfg;\n vec3 multiScatteringCompensation;\
 \n #ifdef USE_DIFFUSE_ROUGHNESS\n  float diffuseRoughness;\n #endif\n #ifdef USE_RETROREFLECTION\n  float retroreflectivity;\n #endif\n #ifdef USE_CLEARCOAT\n  float cl\
 earcoat;\n  float clearcoatRoughness;\n  vec3 clearcoatF0;\n  float clearcoatF90;\n #endif\n #ifdef USE_IRIDESCENCE\n  float iridescence;\n  float iridescenceIOR;\n  fl\
@@ -1994,7 +1994,7 @@ nce;\n vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;\n #ifdef USE_S
 nergyComp;\n #endif\n reflectedLight.indirectSpecular += indirectSpecular;\n reflectedLight.indirectDiffuse += indirectDiffuse;\n}\n#define RE_Direct    RE_Direct_Ph\
 ysical\n#define RE_Direct_RectArea  RE_Direct_RectArea_Physical\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Physical\n#define RE_IndirectSpecular  RE_IndirectS\
 pecular_Physical\nfloat computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {\n return saturate( pow( dotN\
-V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Yv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
+V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Zv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
 mal;\nvec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );\nvec3 geometryClearcoatNormal = vec3( 0.0 );\n#ifdef USE_CLEARCOAT\n\
  geometryClearcoatNormal = clearcoatNormal;\n#endif\n#ifdef USE_IRIDESCENCE\n float dotNVi = saturate( dot( normal, geometryViewDir ) );\n if ( material.iridescence\
 Thickness == 0.0 ) {\n  material.iridescence = 0.0;\n } else {\n  material.iridescence = saturate( material.iridescence );\n }\n if ( material.iridescence > 0.0 ) {\n\
@@ -2044,7 +2044,7 @@ ion, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;\n  vec3 probeWorldNormal = tr
 Min[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;\n  }\n  #pragma unroll_loop_end\n  #pragma unroll_loop_start\n  for ( int i = 0\
 ; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {\n   if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probe\
 sMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if defined( RE_IndirectSpecular )\n vec3 radia\
-nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Zv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
+nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Jv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
  lightMap, vLightMapUv );\n  vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;\n  irradiance += lightMapIrradiance;\n #endif\n #if defined( USE_ENVMA\
 P ) && defined( ENVMAP_TYPE_PMREM )\n  #if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )\n   iblIrradiance += getIBLIrradiance( geometryNormal );\n\
   #endif\n #endif\n#endif\n#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )\n #ifdef USE_ANISOTROPY\n  vec3 iblRadiance = getIBLAnisotropyRadiance( geomet\
@@ -2053,10 +2053,10 @@ yNormal, material.roughness );\n #endif\n #ifdef USE_RETROREFLECTION\n  #ifdef U
 wDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );\n  #else\n   vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, \
 geometryNormal, material.roughness );\n  #endif\n  iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );\n #endif\n radiance +\
 = iblRadiance;\n #ifdef USE_CLEARCOAT\n  clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );\n #endif\n#en\
-dif",Jv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
+dif",Kv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
 eometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endif\n#if defined( RE_IndirectSpecular )\n RE_IndirectSpe\
 cular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endi\
-f",Kv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
+f",jv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
 obesMax[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];\nbool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 pro\
 besMin, vec3 probesMax, vec3 probesResolution ) {\n vec3 spacing = ( probesMax - probesMin ) / probesResolution;\n vec3 samplePos = worldPos + worldNormal * spaci\
 ng * 0.5;\n vec3 margin = spacing * 0.01;\n return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin )\
@@ -2072,56 +2072,56 @@ xy );\n vec3 c2 = vec3( s1.zw, s2.x );\n vec3 c3 = s2.yzw;\n vec3 c4 = s3.xyz;\n
 vec3 c8 = s6.xyz;\n float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;\n vec3 result = c0 * 0.886227;\n result += c1 * 2.0 * 0.511664 * y;\n result += c\
 2 * 2.0 * 0.511664 * z;\n result += c3 * 2.0 * 0.511664 * x;\n result += c4 * 2.0 * 0.429043 * x * y;\n result += c5 * 2.0 * 0.429043 * y * z;\n result += c6 * ( 0.\
 743125 * z * z - 0.247708 );\n result += c7 * 2.0 * 0.429043 * x * z;\n result += c8 * 0.429043 * ( x * x - y * y );\n return max( result, vec3( 0.0 ) );\n}\n#endif",
-jv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Qv="\
-#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",eb="#ifdef USE_L\
-OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",tb="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
-tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",nb="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
-#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",ib="#ifde\
-f USE_MAP\n uniform sampler2D map;\n#endif",sb="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
+Qv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",eb="\
+#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",tb="#ifdef USE_L\
+OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",nb="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
+tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",ib="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
+#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",sb="#ifde\
+f USE_MAP\n uniform sampler2D map;\n#endif",rb="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
 v = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;\n #endif\n#endif\n#ifdef USE_MAP\n diffuseColor *= texture2D( map, uv );\n#endif\n#ifdef U\
-SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",rb="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
+SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",ob="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
 ed( USE_ALPHAMAP )\n  uniform mat3 uvTransform;\n #endif\n#endif\n#ifdef USE_MAP\n uniform sampler2D map;\n#endif\n#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#en\
-dif",ob="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
-Metalness.b;\n#endif",ab="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",lb="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
+dif",ab="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
+Metalness.b;\n#endif",lb="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",cb="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
 TARGETS_COUNT ];\n float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) \
-{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",cb="#if defined( USE_MORPHCOLORS )\n #if defined( U\
+{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",hb="#if defined( USE_MORPHCOLORS )\n #if defined( U\
 SE_COLOR_ALPHA )\n  vColor *= morphTargetBaseInfluence;\n #elif defined( USE_COLOR )\n  vColor.rgb *= morphTargetBaseInfluence;\n #endif\n for ( int i = 0; i < MORPH\
 TARGETS_COUNT; i ++ ) {\n  #if defined( USE_COLOR_ALPHA )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInflue\
 nces[ i ];\n  #elif defined( USE_COLOR )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ]\
-;\n  #endif\n }\n#endif",hb="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
-argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",ub="#ifdef USE_MORPHTARGETS\n #ifndef \
+;\n  #endif\n }\n#endif",ub="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
+argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",db="#ifdef USE_MORPHTARGETS\n #ifndef \
 USE_INSTANCING_MORPH\n  uniform float morphTargetBaseInfluence;\n  uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];\n #endif\n uniform sampler2DArray morp\
 hTargetsTexture;\n uniform ivec2 morphTargetsTextureSize;\n vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {\n  int \
 texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;\n  int y = texelIndex / morphTargetsTextureSize.x;\n  int x = texelIndex - y * morphTargetsTextur\
-eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",db="#ifdef USE_MORPHTARGETS\n \
+eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",fb="#ifdef USE_MORPHTARGETS\n \
 transformed *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( \
-gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",fb="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
+gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",pb="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
 vViewPosition );\n vec3 fdy = dFdy( vViewPosition );\n vec3 normal = normalize( cross( fdx, fdy ) );\n#else\n vec3 normal = normalize( vNormal );\n #ifdef DOUBLE_SID\
 ED\n  normal *= faceDirection;\n #endif\n#endif\n#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )\n #ifde\
 f USE_TANGENT\n  mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn = getTangentFrame( - vViewPosition, normal,\n  #if d\
 efined( USE_NORMALMAP )\n   vNormalMapUv\n  #elif defined( USE_CLEARCOAT_NORMALMAP )\n   vClearcoatNormalMapUv\n  #else\n   vUv\n  #endif\n  );\n #endif\n #ifdef DOUBLE_\
 SIDED\n  tbn[0] *= faceDirection;\n  tbn[1] *= faceDirection;\n #endif\n#endif\n#ifdef USE_CLEARCOAT_NORMALMAP\n #ifdef USE_TANGENT\n  mat3 tbn2 = mat3( normalize( vTa\
 ngent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );\n #endif\n #ifdef DOUBLE_SIDED\
-\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",pb="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
+\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",mb="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
 exture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\n #ifdef FLIP_SIDED\n  normal = - normal;\n #endif\n #ifdef DOUBLE_SIDED\n  normal = normal * faceDirection;\n #e\
 ndif\n normal = normalize( normalMatrix * normal );\n#elif defined( USE_NORMALMAP_TANGENTSPACE )\n vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0\
 ;\n #if defined( USE_PACKED_NORMALMAP )\n  mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );\n #endif\n mapN.xy *= normalScale;\n normal = n\
-ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",mb="#ifndef F\
-LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",gb="#ifndef FLAT_SHADED\n varying\
- vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",_b="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
+ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",gb="#ifndef F\
+LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",_b="#ifndef FLAT_SHADED\n varying\
+ vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",xb="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
 ormedNormal );\n #ifdef USE_TANGENT\n  vTangent = normalize( transformedTangent );\n  vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );\n  #ifdef FL\
-IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",xb="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
+IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",yb="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
 def USE_NORMALMAP_OBJECTSPACE\n uniform mat3 normalMatrix;\n#endif\n#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEA\
 RCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )\n mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {\n  vec3 q0 = dFdx( eye_pos.xyz );\n  vec3 q1 = d\
 Fdy( eye_pos.xyz );\n  vec2 st0 = dFdx( uv.st );\n  vec2 st1 = dFdy( uv.st );\n  vec3 N = surf_norm;\n  vec3 q1perp = cross( q1, N );\n  vec3 q0perp = cross( N, q0 )\
 ;\n  vec3 T = q1perp * st0.x + q0perp * st1.x;\n  vec3 B = q1perp * st0.y + q0perp * st1.y;\n  float det = max( dot( T, T ), dot( B, B ) );\n  float scale = ( det =\
-= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",yb="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
-\n#endif",vb="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
-clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",bb="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
+= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",vb="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
+\n#endif",bb="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
+clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",Mb="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
  USE_CLEARCOAT_NORMALMAP\n uniform sampler2D clearcoatNormalMap;\n uniform vec2 clearcoatNormalScale;\n#endif\n#ifdef USE_CLEARCOAT_ROUGHNESSMAP\n uniform sampler2D \
-clearcoatRoughnessMap;\n#endif",Mb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
-ridescenceThicknessMap;\n#endif",Sb="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
-FragColor = vec4( outgoingLight, diffuseColor.a );",wb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
+clearcoatRoughnessMap;\n#endif",Sb="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
+ridescenceThicknessMap;\n#endif",wb="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
+FragColor = vec4( outgoingLight, diffuseColor.a );",Tb="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
 ToNormal( const in vec3 rgb ) {\n return 2.0 * rgb.xyz - 1.0;\n}\nconst float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float Shift\
 Right8 = 1. / 256.;\nconst float Inv255 = 1. / 255.;\nconst vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );\nconst vec2 UnpackFactors2\
  = vec2( UnpackDownscale, 1.0 / PackFactors.g );\nconst vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );\nconst vec4 UnpackFac\
@@ -2139,13 +2139,13 @@ ear - far );\n}\nfloat orthographicDepthToViewZ( const in float depth, const in 
 pth * ( far - near ) - far;\n #else\n  return depth * ( near - far ) - near;\n #endif\n}\nfloat viewZToPerspectiveDepth( const in float viewZ, const in float near, c\
 onst in float far ) {\n return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );\n}\nfloat perspectiveDepthToViewZ( const in float depth, const in float nea\
 r, const in float far ) {\n \n #ifdef USE_REVERSED_DEPTH_BUFFER\n  return ( near * far ) / ( ( near - far ) * depth - near );\n #else\n  return ( near * far ) / ( ( \
-far - near ) * depth - far );\n #endif\n}",Tb="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",Ab="vec4 mvPosition = vec4( transformed\
+far - near ) * depth - far );\n #endif\n}",Ab="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",Eb="vec4 mvPosition = vec4( transformed\
 , 1.0 );\n#ifdef USE_BATCHING\n mvPosition = batchingMatrix * mvPosition;\n#endif\n#ifdef USE_INSTANCING\n mvPosition = instanceMatrix * mvPosition;\n#endif\nmvPositio\
-n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",Eb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
-Cb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
+n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",Cb="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
+Rb="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
 0, 0.25 / 255.0 );\n  dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );\n  return color + dither_shift_RGB;\n }\n#endif",
-Rb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
-ness.g;\n#endif",Pb="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Ib="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
+Pb="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
+ness.g;\n#endif",Ib="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",Lb="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
 T_LIGHT_COORDS ];\n#endif\n#if NUM_SPOT_LIGHT_MAPS > 0\n uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHAD\
 OWS > 0\n  #define SUN_LIGHT_CASCADES 2\n  #if defined( SHADOWMAP_TYPE_PCF )\n   uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #else\n   uniform \
 sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #endif\n  uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];\n  uniform vec4 sunShadow\
@@ -2209,7 +2209,7 @@ dowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 sh
 wSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {\n   float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpace\
 Z * ( shadowCameraFar - shadowCameraNear ) );\n   dp += shadowBias;\n   vec3 bd3D = normalize( lightToPosition );\n   float depth = textureCube( shadowMap, bd3D ).\
 r;\n   #ifdef USE_REVERSED_DEPTH_BUFFER\n    depth = 1.0 - depth;\n   #endif\n   shadow = step( dp, depth );\n  }\n  return mix( 1.0, shadow, shadowIntensity );\n }\n #\
-endif\n #endif\n#endif",Lb="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
+endif\n #endif\n#endif",Nb="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
 COORDS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  varying vec4 vSunShadowWorldPosition;\n  varying vec3 vSunShadowWorldNormal;\n #endif\n #if \
 NUM_DIR_LIGHT_SHADOWS > 0\n  uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];\n  varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];\n  st\
 ruct DirectionalLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shadowMapSize;\n  };\n  uni\
@@ -2218,7 +2218,7 @@ Intensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRad
 OT_LIGHT_SHADOWS ];\n #endif\n #if NUM_POINT_LIGHT_SHADOWS > 0\n  uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];\n  varying vec4 vPointShadowCoord[ NUM_\
 POINT_LIGHT_SHADOWS ];\n  struct PointLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shad\
 owMapSize;\n   float shadowCameraNear;\n   float shadowCameraFar;\n  };\n  uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];\n #endif\n#endif",
-Nb="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
+Db="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
  )\n #ifdef HAS_NORMAL\n  vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );\n #else\n  vec3 shadowWorldNormal = vec3( 0.\
 0 );\n #endif\n vec4 shadowWorldPosition;\n#endif\n#if defined( USE_SHADOWMAP )\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  vSunShadowWorldPosition = vec4( worldPosition.xyz, \
 - mvPosition.z );\n  vSunShadowWorldNormal = shadowWorldNormal;\n #endif\n #if NUM_DIR_LIGHT_SHADOWS > 0\n  #pragma unroll_loop_start\n  for ( int i = 0; i < NUM_DIR\
@@ -2228,7 +2228,7 @@ op_start\n  for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n   shadowWor
 owNormalBias, 0 );\n   vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if NUM_SPOT_LIGHT_COO\
 RDS > 0\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {\n  shadowWorldPosition = worldPosition;\n  #if ( defined( USE_SHADOWMAP )\
  && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )\n   shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;\n  #endif\n  vSpotLig\
-htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Db="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
+htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Ub="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
 HADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n SunLightShadow sunLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {\n  sunLight = \
 sunLightShadows[ i ];\n  shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #\
 if NUM_DIR_LIGHT_SHADOWS > 0\n DirectionalLightShadow directionalLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {\n  direct\
@@ -2240,19 +2240,19 @@ ius, vSpotLightCoord[ i ] ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #if 
 _TYPE_BASIC ) )\n PointLightShadow pointLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n  pointLight = pointLightShadow\
 s[ i ];\n  shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight\
 .shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #endif\n return shad\
-ow;\n}",Ub="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
-inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Fb="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
+ow;\n}",Fb="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
+inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Ob="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
 m highp sampler2D boneTexture;\n mat4 getBoneMatrix( const in float i ) {\n  int size = textureSize( boneTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % siz\
 e;\n  int y = j / size;\n  vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFe\
-tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Ob="#ifde\
+tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Bb="#ifde\
 f USE_SKINNING\n vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );\n vec4 skinned = vec4( 0.0 );\n skinned += boneMatX * skinVertex * skinWeight.x;\n skinned\
  += boneMatY * skinVertex * skinWeight.y;\n skinned += boneMatZ * skinVertex * skinWeight.z;\n skinned += boneMatW * skinVertex * skinWeight.w;\n transformed = ( b\
-indMatrixInverse * skinned ).xyz;\n#endif",Bb="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
+indMatrixInverse * skinned ).xyz;\n#endif",kb="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
 ight.y * boneMatY;\n skinMatrix += skinWeight.z * boneMatZ;\n skinMatrix += skinWeight.w * boneMatW;\n skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;\n o\
 bjectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;\n #ifdef USE_TANGENT\n  objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;\n #e\
-ndif\n#endif",kb="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
-ar.r;\n#else\n specularStrength = 1.0;\n#endif",zb="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Vb="#if defined( TONE_MAPPING )\n gl_FragCol\
-or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Gb="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
+ndif\n#endif",zb="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
+ar.r;\n#else\n specularStrength = 1.0;\n#endif",Vb="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Gb="#if defined( TONE_MAPPING )\n gl_FragCol\
+or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Hb="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
 3 LinearToneMapping( vec3 color ) {\n return saturate( toneMappingExposure * color );\n}\nvec3 ReinhardToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n \
 return saturate( color / ( vec3( 1.0 ) + color ) );\n}\nvec3 CineonToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n color = max( vec3( 0.0 ), color - 0\
 .004 );\n return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );\n}\nvec3 RRTAndODTFit( vec3 v ) {\n vec3 a = v * \
@@ -2274,13 +2274,13 @@ ralToneMapping( vec3 color ) {\n const float StartCompression = 0.8 - 0.04;\n co
 r.r, min( color.g, color.b ) );\n float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;\n color -= offset;\n float peak = max( color.r, max( color.g, color.b ) );\n if\
  ( peak < StartCompression ) return color;\n float d = 1. - StartCompression;\n float newPeak = 1. - d * d / ( peak + d - StartCompression );\n color *= newPeak / \
 peak;\n float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );\n return mix( color, vec3( newPeak ), g );\n}\nvec3 CustomToneMapping( vec3 color ) { return\
- color; }",Hb="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
+ color; }",Wb="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
 nuationDistance = attenuationDistance;\n material.attenuationColor = attenuationColor;\n #ifdef USE_TRANSMISSIONMAP\n  material.transmission *= texture2D( transmis\
 sionMap, vTransmissionMapUv ).r;\n #endif\n #ifdef USE_THICKNESSMAP\n  material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;\n #endif\n vec3 pos = vWor\
 ldPosition;\n vec3 v = normalize( cameraPosition - pos );\n vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );\n vec4 transmitted = getIBLVolumeRef\
 raction(\n  n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,\n  pos, modelMatrix, viewMatrix, projecti\
 onMatrix, material.dispersion, material.ior, material.thickness,\n  material.attenuationColor, material.attenuationDistance );\n material.transmissionAlpha = mix(\
- material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Wb="\
+ material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Xb="\
 #ifdef USE_TRANSMISSION\n uniform float transmission;\n uniform float thickness;\n uniform float attenuationDistance;\n uniform vec3 attenuationColor;\n #ifdef USE_T\
 RANSMISSIONMAP\n  uniform sampler2D transmissionMap;\n #endif\n #ifdef USE_THICKNESSMAP\n  uniform sampler2D thicknessMap;\n #endif\n uniform vec2 transmissionSampler\
 Size;\n uniform sampler2D transmissionSamplerMap;\n uniform mat4 modelMatrix;\n uniform mat4 projectionMatrix;\n varying vec3 vWorldPosition;\n float w0( float a ) {\
@@ -2317,7 +2317,7 @@ Ray;\n   vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );\
 efractionCoords /= 2.0;\n   transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );\n   transmittance = diffuseColor * volumeAttenuation( le\
 ngth( transmissionRay ), attenuationColor, attenuationDistance );\n  #endif\n  vec3 attenuatedColor = transmittance * transmittedLight.rgb;\n  vec3 F = Environment\
 BRDF( n, v, specularColor, specularF90, roughness );\n  float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;\n  return vec4(\
- ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",Xb="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
+ ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",$b="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
  varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAMAP\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n varying vec2 vL\
 ightMapUv;\n#endif\n#ifdef USE_AOMAP\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n varying vec2 vBumpMapUv;\n#endif\n#ifdef USE_NORMALMAP\n varying vec2 vNormal\
 MapUv;\n#endif\n#ifdef USE_EMISSIVEMAP\n varying vec2 vEmissiveMapUv;\n#endif\n#ifdef USE_METALNESSMAP\n varying vec2 vMetalnessMapUv;\n#endif\n#ifdef USE_ROUGHNESSMAP\n\
@@ -2327,7 +2327,7 @@ ef USE_CLEARCOAT_ROUGHNESSMAP\n varying vec2 vClearcoatRoughnessMapUv;\n#endif\n
 CENCE_THICKNESSMAP\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SHEEN_COLORMAP\n varying vec2 vSheenColorMapUv;\n#endif\n#ifdef USE_SHEEN_ROUGHNESSM\
 AP\n varying vec2 vSheenRoughnessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n varying vec2 vSpecularMapUv;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n varying vec2 vSpecularCo\
 lorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransfor\
-m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",$b="#if de\
+m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",qb="#if de\
 fined( USE_UV ) || defined( USE_ANISOTROPY )\n varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n uniform mat3 mapTransform;\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAM\
 AP\n uniform mat3 alphaMapTransform;\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n uniform mat3 lightMapTransform;\n varying vec2 vLightMapUv;\n#endif\n#if\
 def USE_AOMAP\n uniform mat3 aoMapTransform;\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n uniform mat3 bumpMapTransform;\n varying vec2 vBumpMapUv;\n#endif\n#\
@@ -2343,7 +2343,7 @@ ef USE_IRIDESCENCEMAP\n uniform mat3 iridescenceMapTransform;\n varying vec2 vIr
 ceThicknessMapTransform;\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n uniform mat3 specularMapTransform;\n varying vec2 vSpecularMapU\
 v;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n uniform mat3 specularColorMapTransform;\n varying vec2 vSpecularColorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n unif\
 orm mat3 specularIntensityMapTransform;\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransform;\n varyin\
-g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",qb="#if defined( USE_\
+g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Yb="#if defined( USE_\
 UV ) || defined( USE_ANISOTROPY )\n vUv = vec3( uv, 1 ).xy;\n#endif\n#ifdef USE_MAP\n vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_ALPHAMAP\n \
 vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_LIGHTMAP\n vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;\n#e\
 ndif\n#ifdef USE_AOMAP\n vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_BUMPMAP\n vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 \
@@ -2361,27 +2361,27 @@ EN_ROUGHNESSMAP\n vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SH
 specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_C\
 OLORMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) )\
 .xy;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_THICKNESSMAP\n vT\
-hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",Yb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
+hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",Zb="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
 MAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0\n vec4 worldPosition = vec4( transformed, 1.0 );\n #ifdef USE_BATCHING\n  worldPosition = batchi\
 ngMatrix * worldPosition;\n #endif\n #ifdef USE_INSTANCING\n  worldPosition = instanceMatrix * worldPosition;\n #endif\n worldPosition = modelMatrix * worldPosition;\
-\n#endif",Zb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
-\n}",Jb="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
+\n#endif",Jb="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
+\n}",Kb="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
 TEXTURE\n  texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texCol\
 or.rgb, vec3( 0.04045 ) ) ) ), texColor.w );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include \
-<colorspace_fragment>\n}",Kb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
-clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",jb="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
+<colorspace_fragment>\n}",jb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
+clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Qb="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
 \nuniform mat3 backgroundRotation;\nvarying vec3 vWorldDirection;\n#include <envmap_common_pars_fragment>\nvoid main() {\n #ifdef ENVMAP_TYPE_PMREM\n  vec4 texColor =\
  textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );\n #else\n  vec4 texColor = textureCube( envMap, backgroundRot\
 ation * vWorldDirection );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include <colorspace_fragme\
-nt>\n}",Qb="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
-x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",eM="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
+nt>\n}",eM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
+x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",tM="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
 ldDirection;\nvoid main() {\n vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );\n gl_FragColor = texColor;\n gl_FragColor\
-.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",tM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
+.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",nM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
 rtex>\n#include <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <cli\
 pping_planes_pars_vertex>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n #include <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <\
 morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
-f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",nM="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
+f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",iM="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
 mmon>\n#include <packing>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include \
 <alphahash_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n vec4 diffu\
 seColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #if DEPTH_PACKING == 3200\n  diffuseColor.a = opacity;\n #endif\n #include <map_fragment>\n #include <a\
@@ -2389,34 +2389,34 @@ lphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment
 oordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];\n #else\n  float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;\n #endif\n #if DEPTH\
 _PACKING == 3200\n  gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );\n #elif DEPTH_PACKING == 3201\n  gl_FragColor = packDepthToRGBA( fragCoordZ );\n #elif\
  DEPTH_PACKING == 3202\n  gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );\n #elif DEPTH_PACKING == 3203\n  gl_FragColor = vec4( packDepthToRG( fragCoordZ\
- ), 0.0, 1.0 );\n #endif\n}",iM="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
+ ), 0.0, 1.0 );\n #endif\n}",sM="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
 ude <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #incl\
 ude <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_ver\
 tex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n\
  #include <displacementmap_vertex>\n #include <project_vertex>\n #include <worldpos_vertex>\n #include <clipping_planes_vertex>\n vWorldPosition = worldPosition.xyz\
-;\n}",sM="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
+;\n}",rM="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
 \n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment\
 >\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #include <map_fragment>\n #inclu\
 de <alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n float dist = length( vWorldPosition - referencePosition );\n dist = ( dist \
-- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",rM="varying vec3 vWorldDirection\
-;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",oM="\
+- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",oM="varying vec3 vWorldDirection\
+;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",aM="\
 uniform sampler2D tEquirect;\nvarying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vec3 direction = normalize( vWorldDirection );\n vec2 sampleUV = equi\
-rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",aM="uniform float\
+rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",lM="uniform float\
  scale;\nattribute float lineDistance;\nvarying float vLineDistance;\n#include <common>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_v\
 ertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n vLineDistance = scale * lineD\
 istance;\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morph\
-target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",lM="uniform vec3 diff\
+target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",cM="uniform vec3 diff\
 use;\nuniform float opacity;\nuniform float dashSize;\nuniform float totalSize;\nvarying float vLineDistance;\n#include <common>\n#include <color_pars_fragment>\n#incl\
 ude <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nv\
 oid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n if ( mod( vLineDistance, totalSize ) > dashSize ) {\n  discard;\
 \n }\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n outgoingLight = diffuseColor.rgb;\n \
 #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-cM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
+hM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
 rtex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\
 \n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #if defined ( USE_EN\
 VMAP ) || defined ( USE_SKINNING )\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinbase_vertex>\n  #include <skinnormal_vertex>\n \
  #include <defaultnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #includ\
-e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",hM="uniform vec3 \
+e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",uM="uniform vec3 \
 diffuse;\nuniform float opacity;\n#ifndef FLAT_SHADED\n varying vec3 vNormal;\n#endif\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_frag\
 ment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fra\
 gment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <fog_par\
@@ -2427,14 +2427,14 @@ ht( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );\n #ifdef USE_LIGHTMAP\
 ectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;\n #else\n  reflectedLight.indirectDiffuse += vec3( 1.0 );\n #endif\n #include <aomap_fragment>\n\
  reflectedLight.indirectDiffuse *= diffuseColor.rgb;\n vec3 outgoingLight = reflectedLight.indirectDiffuse;\n #include <envmap_fragment>\n #include <opaque_fragmen\
 t>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragm\
-ent>\n}",uM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
+ent>\n}",dM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
 ars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <morphtarget_pars_verte\
 x>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #in\
 clude <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_ver\
 tex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
 f_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",dM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
+x>\n #include <fog_vertex>\n}",fM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
 s_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_f\
 ragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envm\
 ap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights\
@@ -2446,13 +2446,13 @@ alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragmen
 ormal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_lambert_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_maps>\n #i\
 nclude <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadia\
 nce;\n #include <envmap_fragment>\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include\
- <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",fM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
+ <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",pM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
 tex>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#inc\
 lude <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include\
  <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n\
  #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <b\
 egin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_ver\
-tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",pM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
+tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",mM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
 opacity;\nuniform sampler2D matcap;\nvarying vec3 vViewPosition;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_\
 pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fo\
 g_pars_fragment>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#inclu\
@@ -2462,25 +2462,25 @@ ment>\n #include <map_fragment>\n #include <color_fragment>\n #include <alphamap
 \n vec3 y = cross( viewDir, x );\n vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;\n #ifdef USE_MATCAP\n  vec4 matcapColor = texture2D( matcap, \
 uv );\n #else\n  vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );\n #endif\n vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;\n #include <opaqu\
 e_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dither\
-ing_fragment>\n}",mM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
+ing_fragment>\n}",gM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
 #endif\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <normal_pars_vertex>\n#include\
  <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv\
 _vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n\
  #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skin\
 ning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n#if defined( FLAT_S\
-HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",gM="#define NORMAL\nuniform float opac\
+HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",_M="#define NORMAL\nuniform float opac\
 ity;\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n#endif\n#include <uv_pars_fragmen\
 t>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_p\
 lanes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );\n #include <clipping_planes_fragment>\n #include <logdepthbuf_fragment>\n #\
 include <normal_fragment_begin>\n #include <normal_fragment_maps>\n gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );\n #ifdef OPAQUE\n  gl_Fr\
-agColor.a = 1.0;\n #endif\n}",_M="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
+agColor.a = 1.0;\n #endif\n}",xM="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
  <displacementmap_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <mor\
 phtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\
 \nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include\
  <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <nor\
 mal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #\
 include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #inclu\
-de <shadowmap_vertex>\n #include <fog_vertex>\n}",xM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
+de <shadowmap_vertex>\n #include <fog_vertex>\n}",yM="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
 \nuniform float opacity;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragm\
 ent>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_p\
 ars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragmen\
@@ -2493,14 +2493,14 @@ larmap_fragment>\n #include <normal_fragment_begin>\n #include <normal_fragment_
  <lights_fragment_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.direct\
 Diffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;\n #include <envmap_fragment>\n\
  #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n \
-#include <dithering_fragment>\n}",yM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
+#include <dithering_fragment>\n}",vM="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
 >\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#incl\
 ude <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n\
 #include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_verte\
 x>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include\
  <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap\
 _vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_ver\
-tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",vM="#define STANDARD\n#ifde\
+tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",bM="#define STANDARD\n#ifde\
 f PHYSICAL\n #define IOR\n #define USE_SPECULAR\n#endif\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float roughness;\nuniform float metalness;\nuniform floa\
 t opacity;\n#ifdef IOR\n uniform float ior;\n#endif\n#ifdef USE_SPECULAR\n uniform float specularIntensity;\n uniform vec3 specularColor;\n #ifdef USE_SPECULAR_COLORMA\
 P\n  uniform sampler2D specularColorMap;\n #endif\n #ifdef USE_SPECULAR_INTENSITYMAP\n  uniform sampler2D specularIntensityMap;\n #endif\n#endif\n#ifdef USE_CLEARCOAT\n\
@@ -2526,14 +2526,14 @@ cal_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_map
 SpecularDirect + sheenSpecularIndirect;\n \n  #endif\n #ifdef USE_CLEARCOAT\n  float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );\n  vec3 F\
 cc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );\n  outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecul\
 arDirect + clearcoatSpecularIndirect ) * material.clearcoat;\n #endif\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment\
->\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",bM="#define TOON\nvarying vec3 vViewPosition;\n#include \
+>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",MM="#define TOON\nvarying vec3 vViewPosition;\n#include \
 <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex\
 >\n#include <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_v\
 ertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolo\
 r_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #\
 include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displace\
 mentmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <world\
-pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",MM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
+pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",SM="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
 ude <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_\
 fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emiss\
 ivemap_pars_fragment>\n#include <gradientmap_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_pars_begin>\n#include <normal_pars_frag\
@@ -2544,54 +2544,54 @@ epthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n #inclu
 >\n #include <normal_fragment_begin>\n #include <normal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_toon_fragment>\n #include <lights_fragmen\
 t_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflec\
 tedLight.indirectDiffuse + totalEmissiveRadiance;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fr\
-agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",SM="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
+agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",wM="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
 olor_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\n#ifdef\
  USE_POINTS_UV\n varying vec2 vUv;\n uniform mat3 uvTransform;\n#endif\nvoid main() {\n #ifdef USE_POINTS_UV\n  vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n #endif\n #in\
 clude <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <project_v\
 ertex>\n gl_PointSize = size;\n #ifdef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( projectionMatrix );\n  if ( isPerspective ) gl_PointSize *= \
 ( scale / - mvPosition.z );\n #endif\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <fog_vertex>\n}",
-wM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
+TM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
 _fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid ma\
 in() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n \
 #include <map_particle_fragment>\n #include <color_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #i\
 nclude <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-TM="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
+AM="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
 gdepthbuf_pars_vertex>\n#include <shadowmap_pars_vertex>\nvoid main() {\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex\
 >\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <begin_vertex>\n #include <\
 morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <worldpos_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",AM="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
+x>\n #include <fog_vertex>\n}",EM="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
 ars_begin>\n#include <logdepthbuf_pars_fragment>\n#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>\nvoid main() {\n #include <logdepthbuf_frag\
 ment>\n gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragme\
-nt>\n #include <premultiplied_alpha_fragment>\n}",EM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
+nt>\n #include <premultiplied_alpha_fragment>\n}",CM="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
 s_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n vec4 mvPosition = modelViewMatrix[ 3 ];\
 \n vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );\n #ifndef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( \
 projectionMatrix );\n  if ( isPerspective ) scale *= - mvPosition.z;\n #endif\n vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;\n vec2 ro\
 tatedPosition;\n rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;\n rotatedPosition.y = sin( rotation ) * alignedPos\
 ition.x + cos( rotation ) * alignedPosition.y;\n mvPosition.xy += rotatedPosition;\n gl_Position = projectionMatrix * mvPosition;\n #include <logdepthbuf_vertex>\n \
-#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",CM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
+#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",RM="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
 clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#\
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Jy,alphahash_pars_fragment:Ky,alphamap_fragment:jy,alphamap_pars_fragment:Qy,alphatest_fragment:ev,
-alphatest_pars_fragment:tv,aomap_fragment:nv,aomap_pars_fragment:iv,batching_pars_vertex:sv,batching_vertex:rv,begin_vertex:ov,beginnormal_vertex:av,bsdfs:lv,iridescence_fragment:cv,
-bumpmap_pars_fragment:hv,clipping_planes_fragment:uv,clipping_planes_pars_fragment:dv,clipping_planes_pars_vertex:fv,clipping_planes_vertex:pv,color_fragment:mv,
-color_pars_fragment:gv,color_pars_vertex:_v,color_vertex:xv,common:yv,defaultnormal_vertex:vv,displacementmap_pars_vertex:bv,displacementmap_vertex:Mv,emissivemap_fragment:Sv,
-emissivemap_pars_fragment:wv,colorspace_fragment:Tv,colorspace_pars_fragment:Av,envmap_fragment:Ev,envmap_common_pars_fragment:Cv,envmap_pars_fragment:Rv,envmap_pars_vertex:Pv,
-envmap_physical_pars_fragment:Vv,envmap_vertex:Iv,fog_vertex:Lv,fog_pars_vertex:Nv,fog_fragment:Dv,fog_pars_fragment:Uv,gradientmap_pars_fragment:Fv,lightmap_pars_fragment:Ov,
-lights_lambert_fragment:Bv,lights_lambert_pars_fragment:kv,lights_pars_begin:zv,lights_toon_fragment:Gv,lights_toon_pars_fragment:Hv,lights_phong_fragment:Wv,lights_phong_pars_fragment:Xv,
-lights_physical_fragment:$v,lights_physical_pars_fragment:qv,lights_fragment_begin:Yv,lights_fragment_maps:Zv,lights_fragment_end:Jv,lightprobes_pars_fragment:Kv,
-logdepthbuf_fragment:jv,logdepthbuf_pars_fragment:Qv,logdepthbuf_pars_vertex:eb,logdepthbuf_vertex:tb,map_fragment:nb,map_pars_fragment:ib,map_particle_fragment:sb,
-map_particle_pars_fragment:rb,metalnessmap_fragment:ob,metalnessmap_pars_fragment:ab,morphinstance_vertex:lb,morphcolor_vertex:cb,morphnormal_vertex:hb,morphtarget_pars_vertex:ub,
-morphtarget_vertex:db,normal_fragment_begin:fb,normal_fragment_maps:pb,normal_pars_fragment:mb,normal_pars_vertex:gb,normal_vertex:_b,normalmap_pars_fragment:xb,
-clearcoat_normal_fragment_begin:yb,clearcoat_normal_fragment_maps:vb,clearcoat_pars_fragment:bb,iridescence_pars_fragment:Mb,opaque_fragment:Sb,packing:wb,premultiplied_alpha_fragment:Tb,
-project_vertex:Ab,dithering_fragment:Eb,dithering_pars_fragment:Cb,roughnessmap_fragment:Rb,roughnessmap_pars_fragment:Pb,shadowmap_pars_fragment:Ib,shadowmap_pars_vertex:Lb,
-shadowmap_vertex:Nb,shadowmask_pars_fragment:Db,skinbase_vertex:Ub,skinning_pars_vertex:Fb,skinning_vertex:Ob,skinnormal_vertex:Bb,specularmap_fragment:kb,specularmap_pars_fragment:zb,
-tonemapping_fragment:Vb,tonemapping_pars_fragment:Gb,transmission_fragment:Hb,transmission_pars_fragment:Wb,uv_pars_fragment:Xb,uv_pars_vertex:$b,uv_vertex:qb,worldpos_vertex:Yb,
-background_vert:Zb,background_frag:Jb,backgroundCube_vert:Kb,backgroundCube_frag:jb,cube_vert:Qb,cube_frag:eM,depth_vert:tM,depth_frag:nM,distance_vert:iM,distance_frag:sM,
-equirect_vert:rM,equirect_frag:oM,linedashed_vert:aM,linedashed_frag:lM,meshbasic_vert:cM,meshbasic_frag:hM,meshlambert_vert:uM,meshlambert_frag:dM,meshmatcap_vert:fM,
-meshmatcap_frag:pM,meshnormal_vert:mM,meshnormal_frag:gM,meshphong_vert:_M,meshphong_frag:xM,meshphysical_vert:yM,meshphysical_frag:vM,meshtoon_vert:bM,meshtoon_frag:MM,
-points_vert:SM,points_frag:wM,shadow_vert:TM,shadow_frag:AM,sprite_vert:EM,sprite_frag:CM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
+agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Ky,alphahash_pars_fragment:jy,alphamap_fragment:Qy,alphamap_pars_fragment:ev,alphatest_fragment:tv,
+alphatest_pars_fragment:nv,aomap_fragment:iv,aomap_pars_fragment:sv,batching_pars_vertex:rv,batching_vertex:ov,begin_vertex:av,beginnormal_vertex:lv,bsdfs:cv,iridescence_fragment:hv,
+bumpmap_pars_fragment:uv,clipping_planes_fragment:dv,clipping_planes_pars_fragment:fv,clipping_planes_pars_vertex:pv,clipping_planes_vertex:mv,color_fragment:gv,
+color_pars_fragment:_v,color_pars_vertex:xv,color_vertex:yv,common:vv,defaultnormal_vertex:bv,displacementmap_pars_vertex:Mv,displacementmap_vertex:Sv,emissivemap_fragment:wv,
+emissivemap_pars_fragment:Tv,colorspace_fragment:Av,colorspace_pars_fragment:Ev,envmap_fragment:Cv,envmap_common_pars_fragment:Rv,envmap_pars_fragment:Pv,envmap_pars_vertex:Iv,
+envmap_physical_pars_fragment:Gv,envmap_vertex:Lv,fog_vertex:Nv,fog_pars_vertex:Dv,fog_fragment:Uv,fog_pars_fragment:Fv,gradientmap_pars_fragment:Ov,lightmap_pars_fragment:Bv,
+lights_lambert_fragment:kv,lights_lambert_pars_fragment:zv,lights_pars_begin:Vv,lights_toon_fragment:Hv,lights_toon_pars_fragment:Wv,lights_phong_fragment:Xv,lights_phong_pars_fragment:$v,
+lights_physical_fragment:qv,lights_physical_pars_fragment:Yv,lights_fragment_begin:Zv,lights_fragment_maps:Jv,lights_fragment_end:Kv,lightprobes_pars_fragment:jv,
+logdepthbuf_fragment:Qv,logdepthbuf_pars_fragment:eb,logdepthbuf_pars_vertex:tb,logdepthbuf_vertex:nb,map_fragment:ib,map_pars_fragment:sb,map_particle_fragment:rb,
+map_particle_pars_fragment:ob,metalnessmap_fragment:ab,metalnessmap_pars_fragment:lb,morphinstance_vertex:cb,morphcolor_vertex:hb,morphnormal_vertex:ub,morphtarget_pars_vertex:db,
+morphtarget_vertex:fb,normal_fragment_begin:pb,normal_fragment_maps:mb,normal_pars_fragment:gb,normal_pars_vertex:_b,normal_vertex:xb,normalmap_pars_fragment:yb,
+clearcoat_normal_fragment_begin:vb,clearcoat_normal_fragment_maps:bb,clearcoat_pars_fragment:Mb,iridescence_pars_fragment:Sb,opaque_fragment:wb,packing:Tb,premultiplied_alpha_fragment:Ab,
+project_vertex:Eb,dithering_fragment:Cb,dithering_pars_fragment:Rb,roughnessmap_fragment:Pb,roughnessmap_pars_fragment:Ib,shadowmap_pars_fragment:Lb,shadowmap_pars_vertex:Nb,
+shadowmap_vertex:Db,shadowmask_pars_fragment:Ub,skinbase_vertex:Fb,skinning_pars_vertex:Ob,skinning_vertex:Bb,skinnormal_vertex:kb,specularmap_fragment:zb,specularmap_pars_fragment:Vb,
+tonemapping_fragment:Gb,tonemapping_pars_fragment:Hb,transmission_fragment:Wb,transmission_pars_fragment:Xb,uv_pars_fragment:$b,uv_pars_vertex:qb,uv_vertex:Yb,worldpos_vertex:Zb,
+background_vert:Jb,background_frag:Kb,backgroundCube_vert:jb,backgroundCube_frag:Qb,cube_vert:eM,cube_frag:tM,depth_vert:nM,depth_frag:iM,distance_vert:sM,distance_frag:rM,
+equirect_vert:oM,equirect_frag:aM,linedashed_vert:lM,linedashed_frag:cM,meshbasic_vert:hM,meshbasic_frag:uM,meshlambert_vert:dM,meshlambert_frag:fM,meshmatcap_vert:pM,
+meshmatcap_frag:mM,meshnormal_vert:gM,meshnormal_frag:_M,meshphong_vert:xM,meshphong_frag:yM,meshphysical_vert:vM,meshphysical_frag:bM,meshtoon_vert:MM,meshtoon_frag:SM,
+points_vert:wM,points_frag:TM,shadow_vert:AM,shadow_frag:EM,sprite_vert:CM,sprite_frag:RM},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2638,26 +2638,26 @@ sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransfo
 value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
 attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var Gc={r:0,b:0,g:0},RM=new xt,Lg=new Qe;Lg.set(
--1,0,0,0,1,0,0,0,1);function PM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(y){let S=y.isScene===!0?y.background:null;if(S&&S.isTexture){
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var Gc={r:0,b:0,g:0},PM=new xt,Ng=new Qe;Ng.set(
+-1,0,0,0,1,0,0,0,1);function IM(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(y){let S=y.isScene===!0?y.background:null;if(S&&S.isTexture){
 let b=y.backgroundBlurriness>0;S=e.get(S,b)}return S}function p(y){let S=!1,b=f(y);b===null?m(o,a):b&&b.isColor&&(m(b,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||S)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function x(y,S){let b=f(S);b&&b.isCubeTexture?(c===
-void 0&&(c=new ui(new Ds(1,1,1),new Vi({name:"BackgroundCubeMaterial",uniforms:lr(Xi.backgroundCube.uniforms),vertexShader:Xi.backgroundCube.vertexShader,fragmentShader:Xi.
+void 0&&(c=new ui(new Ds(1,1,1),new Vi({name:"BackgroundCubeMaterial",uniforms:cr(Xi.backgroundCube.uniforms),vertexShader:Xi.backgroundCube.vertexShader,fragmentShader:Xi.
 backgroundCube.fragmentShader,side:zn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,w,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(RM.makeRotationFromEuler(S.backgroundRotation)).transpose(),b.isRenderTargetTexture===
-!1&&c.material.uniforms.backgroundRotation.value.premultiply(Lg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
+value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(PM.makeRotationFromEuler(S.backgroundRotation)).transpose(),b.isRenderTargetTexture===
+!1&&c.material.uniforms.backgroundRotation.value.premultiply(Ng),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),y.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new ui(
-new na(2,2),new Vi({name:"BackgroundMaterial",uniforms:lr(Xi.background.uniforms),vertexShader:Xi.background.vertexShader,fragmentShader:Xi.background.fragmentShader,
+new na(2,2),new Vi({name:"BackgroundMaterial",uniforms:cr(Xi.background.uniforms),vertexShader:Xi.background.vertexShader,fragmentShader:Xi.background.fragmentShader,
 side:ks,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
 uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
 (l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),y.unshift(l,l.geometry,l.material,0,0,null))}function m(y,S){y.getRGB(Gc,sd(i)),
 t.buffers.color.setClear(Gc.r,Gc.g,Gc.b,S,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
 dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(y,S=1){o.set(y),a=S,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(y){
-a=y,m(o,a)},render:p,addToRenderList:x,dispose:g}}function IM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
+a=y,m(o,a)},render:p,addToRenderList:x,dispose:g}}function LM(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,G){let Y=!1,
 W=u(I,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(I,D,z,G),Y&&p(I,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(I,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=I.isInstancedMesh===!0?I.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
@@ -2686,10 +2686,10 @@ for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].obje
 for(let D in z){let G=z[D];if(G[I.id]===void 0)continue;let Y=G[I.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[I.id]}}}function M(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function R(){P(),o=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:R,resetDefaultState:P,
-dispose:C,releaseStatesOfGeometry:w,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:x,enableAttribute:m,disableUnusedAttributes:y}}function LM(i,e,t){
+dispose:C,releaseStatesOfGeometry:w,releaseStatesOfObject:M,releaseStatesOfProgram:_,initAttributes:x,enableAttribute:m,disableUnusedAttributes:y}}function NM(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
-renderInstances=o,this.renderMultiDraw=a}function NM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
+renderInstances=o,this.renderMultiDraw=a}function DM(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
 get("EXT_texture_filter_anisotropic");s=i.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==Ti&&n.convert(_)!==i.getParameter(
 i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let M=_===wi&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==Wn&&_!==di&&
 !M&&n.convert(_)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
@@ -2702,7 +2702,7 @@ getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IM
 g=i.getParameter(i.MAX_VERTEX_ATTRIBS),y=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),w=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
 precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:x,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:y,
-maxVaryings:S,maxFragmentUniforms:b,maxSamples:C,samples:w}}function DM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ti,a=new Qe,l={value:null,needsUpdate:!1};this.
+maxVaryings:S,maxFragmentUniforms:b,maxSamples:C,samples:w}}function UM(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ti,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,x=u.clipIntersection,
 m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let y=r?0:n,S=y*4,b=g.clippingState||null;l.value=b,b=d(p,h,S,f);for(let C=0;C!==
@@ -2716,37 +2716,37 @@ t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varyi
  ) {\n\n     return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );\n\n    }\n\n    void main() {\n\n     vWorldDirection = transformDirection( position, modelMatrix );\
 \n\n     #include <begin_vertex>\n     #include <project_vertex>\n\n    }\n   ",fragmentShader:"\n\n    uniform sampler2D tEquirect;\n\n    varying vec3 vWorldDirec\
 tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = normalize( vWorldDirection );\n\n     vec2 sampleUV = equirectUv( direction );\n\n     gl_Fra\
-gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Ds(5,5,5),r=new Vi({name:"CubemapFromEquirect",uniforms:lr(n.uniforms),vertexShader:n.vertexShader,
-fragmentShader:n.fragmentShader,side:zn,blending:sr});r.uniforms.tEquirect.value=t;let o=new ui(s,r),a=t.minFilter;return t.minFilter===ds&&(t.minFilter=Bn),new oo(
+gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Ds(5,5,5),r=new Vi({name:"CubemapFromEquirect",uniforms:cr(n.uniforms),vertexShader:n.vertexShader,
+fragmentShader:n.fragmentShader,side:zn,blending:rr});r.uniforms.tEquirect.value=t;let o=new ui(s,r),a=t.minFilter;return t.minFilter===ds&&(t.minFilter=Bn),new oo(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},hg=256,UM=3,FM=20,Ng=256,Dg=16,OM=3,BM=new V,kM=new rt,Wc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},ug=256,FM=3,OM=20,Dg=256,Ug=16,BM=3,kM=new V,zM=new rt,Wc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new oo(1,10,null),this._boxMesh=new ui(new Ds(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
-_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=BM}=r,l=this._renderer;this.
+_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=kM}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,x=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,x===null&&(e.background=l.getClearColor(kM));let m=new oo(
+p=l.autoClearStencil,x=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,x===null&&(e.background=l.getClearColor(zM));let m=new oo(
 n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=x,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
-this._cubemapMaterial===null&&(this._cubemapMaterial=fg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
-null&&(this._equirectMaterial=dg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
+this._cubemapMaterial===null&&(this._cubemapMaterial=pg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
+null&&(this._equirectMaterial=fg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
 null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this.
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
-return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(hg,rg(e))}_fromTexture(e,t){e.mapping===or||e.mapping===co?this._setSize(e.image.length===0?
-hg:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
-n}_allocateTarget(){let e=this._cubeSize,t=ug(e,!1,!1),n=Math.log2(e)-UM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
+return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(ug,og(e))}_fromTexture(e,t){e.mapping===ar||e.mapping===co?this._setSize(e.image.length===0?
+ug:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
+n}_allocateTarget(){let e=this._cubeSize,t=dg(e,!1,!1),n=Math.log2(e)-FM;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
-(n!==null&&n.dispose(),this._sourceTarget=ug(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
+(n!==null&&n.dispose(),this._sourceTarget=dg(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
-set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===or||e.mapping===co?(this._cubemapMaterial===
-null&&(this._cubemapMaterial=fg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
-_equirectMaterial=dg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
-(this._ggxMaterial=zM(),this._integrationMaterial=VM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
-texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Dg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
-o,n);if(o>n-OM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Ng*Math.pow(a,4)))+.5:0;s.roughness.
-value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=GM());let n=this._blurMaterial,s=n.
+set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===ar||e.mapping===co?(this._cubemapMaterial===
+null&&(this._cubemapMaterial=pg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
+_equirectMaterial=fg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
+(this._ggxMaterial=VM(),this._integrationMaterial=GM());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
+texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Ug);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
+o,n);if(o>n-BM)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Dg*Math.pow(a,4)))+.5:0;s.roughness.
+value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=HM());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
-r,0,n)}};function ug(i,e,t){return new Ta(i,{minFilter:ds,generateMipmaps:e,type:wi,colorSpace:Go,depthBuffer:t})}function Aa(i,e,t){return new Vi({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:zn,blending:sr,depthTest:!1,depthWrite:!1})}function zM(){return Aa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
-value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Ng,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
+r,0,n)}};function dg(i,e,t){return new Ta(i,{minFilter:ds,generateMipmaps:e,type:wi,colorSpace:Go,depthBuffer:t})}function Aa(i,e,t){return new Vi({name:i,uniforms:e,
+vertexShader:ht.cube_vert,fragmentShader:t,side:zn,blending:rr,depthTest:!1,depthWrite:!1})}function VM(){return Aa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Dg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
  >> 2u );\n   bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );\n   bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >\
@@ -2761,7 +2761,7 @@ at phi = 2.0 * PI * Xi.y;\n     float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.
  * sin( phi ) ) * sinTheta;\n\n     // Match the source mip to the sample's solid angle. The terms\n     // independent of the sample are precomputed in lodBias.\n \
     float d = alpha2 * invQ;\n     float lod = max( log2( d ) + lodBias, 0.0 );\n\n     // Weight by NdotL for the split-sum approximation\n     prefilteredColor +=\
  textureLod( envMap, L, lod ).rgb * NdotL;\n     totalWeight += NdotL;\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );\n\n  }\n "))}
-function VM(){return Aa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Dg}},"\n\n  varying vec3 vWorldDirect\
+function GM(){return Aa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Ug}},"\n\n  varying vec3 vWorldDirect\
 ion;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\n  uniform float sourceLod;\n  uniform int sourceSize;\n\n  void main() {\n\n   vec3 N = normalize( vWo\
 rldDirection );\n\n   float alpha = roughness * roughness;\n   float alpha2 = alpha * alpha;\n\n   float texelSize = 2.0 / float( sourceSize );\n\n   vec3 prefilteredC\
 olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: only the one in N's hemisphere contributes.\n   for ( int face = 0; face < 3; face +\
@@ -2771,7 +2771,7 @@ olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: 
       // With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors\n      // in the GGX distribution and texel solid angle cancel when normalized.\n      flo\
 at d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;\n      float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );\n\n      prefilteredColor += tex\
 tureLod( envMap, texelDirection, sourceLod ).rgb * weight;\n      totalWeight += weight;\n\n     }\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWe\
-ight, 1.0 );\n\n  }\n ")}function GM(){return Aa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(FM,"\n  #defi\
+ight, 1.0 );\n\n  }\n ")}function HM(){return Aa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(OM,"\n  #defi\
 ne GOLDEN_ANGLE 2.39996322973\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float sigma;\n\n  #include <common>\n\n  void main() {\n\n   v\
 ec3 outputDirection = normalize( vWorldDirection );\n\n   vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );\n   vec3 tang\
 ent = normalize( cross( up, outputDirection ) );\n   vec3 bitangent = cross( outputDirection, tangent );\n\n   // Truncate the kernel at three standard deviations \
@@ -2780,27 +2780,27 @@ umColor = vec3( 0.0 );\n   float accumWeight = 0.0;\n\n   for ( int i = 0; i < S
  a golden-angle spiral.\n    float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );\n    float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) )\
 ;\n    float phi = float( i ) * GOLDEN_ANGLE;\n\n    vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;\n    vec3 sampleDirection = cos( theta ) * outputD\
 irection + sin( theta ) * offset;\n\n    // Correct the planar sample density to solid angle.\n    float weight = sin( theta ) / theta;\n\n    accumColor += weight *\
- textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function dg(){
+ textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function fg(){
 return Aa("PMREMEquirectangularToCubemap",{envMap:{value:null}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform sampler2D envMap;\n\n  #include <common>\n\n  void mai\
 n() {\n\n   // Average four subpixel samples to preserve small, bright features.\n   vec3 direction = normalize( vWorldDirection );\n   vec3 dx = dFdx( direction ) \
 * 0.25;\n   vec3 dy = dFdy( direction ) * 0.25;\n\n   vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;\n   color += textu\
 reLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).\
-rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function fg(){
+rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function pg(){
 return Aa("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
-function HM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
+function WM(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
 tc||f===nc)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let x=new Ta(p.height);return x.fromEquirectangularTexture(
 i,h),e.set(h,x),h.addEventListener("dispose",c),a(x.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===tc||f===nc,x=f===or||f===co;if(p||x){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
+mapping,p=f===tc||f===nc,x=f===ar||f===co;if(p||x){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
 null&&(n=new Wc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
 {let y=h.image;return p&&y&&y.height>0||x&&y&&l(y)?(n===null&&(n=new Wc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
-t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===tc?h.mapping=or:f===nc&&(h.mapping=co),h}function l(h){let f=0,
+t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===tc?h.mapping=ar:f===nc&&(h.mapping=co),h}function l(h){let f=0,
 p=6;for(let x=0;x<p;x++)h[x]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
-n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function WM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
+n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function XM(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&zo("WebGLRenderer\
-: "+n+" extension not supported."),s}}}function XM(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
+: "+n+" extension not supported."),s}}}function $M(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
 p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let x=r.
 get(p);x&&(e.remove(x),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,x){
 return s[x.id]!==void 0||(x.addEventListener("dispose",a),s[x.id]=new WeakRef(x),o.register(x,x.id,x),t.memory.geometries++),x}function d(p){let x=p.attributes;
@@ -2808,13 +2808,13 @@ for(let m in x)e.update(x[m],i.ARRAY_BUFFER)}function u(p){let x=p.index,m=p.att
 length/3-1,S=m.count>=65535?Yo:qo,b=new S(Math.ceil(y/3)*6,1),C=b.array;if(x!==null){let _=x.array;g=x.version;for(let M=0,R=0;M<y;M+=3){let P=_[M+0],I=_[M+1],F=_[M+
 2];C[R++]=P,C[R++]=I,C[R++]=I,C[R++]=F,C[R++]=F,C[R++]=P}}else{g=m.version;for(let _=0,M=0;_<y;_+=3){let R=_+0,P=_+1,I=_+2;C[M++]=R,C[M++]=P,C[M++]=P,C[M++]=I,C[M++]=
 I,C[M++]=R}}b.version=g;let w=r.get(p);w&&e.remove(w),r.set(p,b)}function h(p){let x=r.get(p);if(x){let m=p.index;m!==null&&x.version<m.version&&u(p)}else u(p);
-return r.get(p)}function f(){for(let p in s){let x=s[p].deref();x!==void 0&&l(x)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function $M(i,e,t){let n;
+return r.get(p)}function f(){for(let p in s){let x=s[p].deref();x!==void 0&&l(x)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function qM(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
 n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let x=0;for(let m=0;m<f;m++)x+=h[m];
-t.update(x,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function qM(i){let e={geometries:0,textures:0},t={frame:0,
+t.update(x,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function YM(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
-t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function YM(i,e,t){let n=new WeakMap,s=new Wt;
+t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function ZM(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let R=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",R)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
 position!==void 0,p=a.morphAttributes.normal!==void 0,x=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],y=a.morphAttributes.
@@ -2825,12 +2825,12 @@ Y+6]=s.z,w[D+Y+7]=0),x===!0&&(s.fromBufferAttribute(z,G),w[D+Y+8]=s.x,w[D+Y+9]=s
 b,C)},n.set(a,h),a.addEventListener("dispose",R)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let x=0;x<c.length;x++)f+=c[x];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
-function ZM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
+function JM(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
 (c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
 c.instanceColor,i.ARRAY_BUFFER),r.set(c,d))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==d&&(f.update(),r.set(f,d))}return h}function a(){r=new WeakMap}function l(c){
 let d=c.target;d.removeEventListener("dispose",l),n.releaseStatesOfObject(d),t.remove(d.instanceMatrix),d.instanceColor!==null&&t.remove(d.instanceColor)}return{
-update:o,dispose:a}}var JM={[Bu]:"LINEAR_TONE_MAPPING",[ku]:"REINHARD_TONE_MAPPING",[zu]:"CINEON_TONE_MAPPING",[Vu]:"ACES_FILMIC_TONE_MAPPING",[Hu]:"AGX_TONE_MA\
-PPING",[Wu]:"NEUTRAL_TONE_MAPPING",[Gu]:"CUSTOM_TONE_MAPPING"};function KM(i,e,t,n,s,r){let o=new ni(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
+update:o,dispose:a}}var KM={[Bu]:"LINEAR_TONE_MAPPING",[ku]:"REINHARD_TONE_MAPPING",[zu]:"CINEON_TONE_MAPPING",[Vu]:"ACES_FILMIC_TONE_MAPPING",[Hu]:"AGX_TONE_MA\
+PPING",[Wu]:"NEUTRAL_TONE_MAPPING",[Gu]:"CUSTOM_TONE_MAPPING"};function jM(i,e,t,n,s,r){let o=new ni(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
 storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,d=new ln;d.setAttribute("position",new yt([-1,3,0,-1,-1,0,
 3,-1,0],3)),d.setAttribute("uv",new yt([0,2,0,0,2,0],2));let u=new kl({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
 4 modelViewMatrix;\n   uniform mat4 projectionMatrix;\n\n   attribute vec3 position;\n   attribute vec2 uv;\n\n   varying vec2 vUv;\n\n   void main() {\n    vUv = uv;\n  \
@@ -2845,100 +2845,100 @@ erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ui
 function(C,w){o.setSize(C,w),a!==null&&a.setSize(C,w),l!==null&&l.setSize(C,w);for(let _=0;_<S.length;_++){let M=S[_];M.setSize&&M.setSize(C,w)}},this.setEffects=
 function(C){S=C,b=S.length>0&&S[0].isRenderPass===!0;let w=o.width,_=o.height;S.length>0&&a===null&&(a=new ni(w,_,{type:wi,depthBuffer:!1,stencilBuffer:!1}),l=new ni(
 w,_,{type:wi,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&S.some(R=>R.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new us(w,_),
-r===!0&&(c.format=fs,c.type=ar)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<S.length;R++){let P=S[R];
+r===!0&&(c.format=fs,c.type=lr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let R=0;R<S.length;R++){let P=S[R];
 P.setSize&&P.setSize(w,_),M&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(C,w){if(m||C.toneMapping===Hi&&S.length===0)
 return!1;if(y=w,w!==null){let _=w.width,M=w.height;(o.width!==_||o.height!==M)&&this.setSize(_,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
 Hi,!0},this.hasRenderPass=function(){return b},this.end=function(C,w){C.toneMapping=g,m=!0;let _=o,M=a;for(let R=0;R<S.length;R++){let P=S[R];P.enabled!==!1&&(P.
 render(C,M,_,w),P.needsSwap!==!1&&(_=M,M=M===a?l:a))}if(p!==C.outputColorSpace||x!==C.toneMapping){p=C.outputColorSpace,x=C.toneMapping,u.defines={},_t.getTransfer(
-p)===At&&(u.defines.SRGB_TRANSFER="");let R=JM[x];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(y),C.render(h,f),y=
-null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Ug=new Hn,
-Fg=new us(1,1),Og=new jo(1),Bg=new Xo,kg=new Nl,zg=new Ko,pg=[],mg=[],gg=new Float32Array(16),_g=new Float32Array(9),xg=new Float32Array(4);function fo(i,e,t){let n=i[0];
-if(n<=0||n>0)return i;let s=e*t,r=pg[s];if(r===void 0&&(r=new Float32Array(s),pg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
+p)===At&&(u.defines.SRGB_TRANSFER="");let R=KM[x];R&&(u.defines[R]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(y),C.render(h,f),y=
+null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Fg=new Hn,
+Og=new us(1,1),Bg=new jo(1),kg=new Xo,zg=new Nl,Vg=new Ko,mg=[],gg=[],_g=new Float32Array(16),xg=new Float32Array(9),yg=new Float32Array(4);function fo(i,e,t){let n=i[0];
+if(n<=0||n>0)return i;let s=e*t,r=mg[s];if(r===void 0&&(r=new Float32Array(s),mg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
-i[t]=e[t]}function $c(i,e){let t=mg[e];t===void 0&&(t=new Int32Array(e),mg[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function jM(i,e){let t=this.
-cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function QM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
-e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
+i[t]=e[t]}function $c(i,e){let t=gg[e];t===void 0&&(t=new Int32Array(e),gg[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function QM(i,e){let t=this.
+cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
+e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function tS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
 (i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=
-e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function tS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function nS(i,e){
-let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;xg.set(n),i.uniformMatrix2fv(this.
-addr,!1,xg),mn(t,n)}}function iS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
-return;_g.set(n),i.uniformMatrix3fv(this.addr,!1,_g),mn(t,n)}}function sS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
-this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;gg.set(n),i.uniformMatrix4fv(this.addr,!1,gg),mn(t,n)}}function rS(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
-addr,e),t[0]=e)}function oS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
-i.uniform2iv(this.addr,e),mn(t,e)}}function aS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
-e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function lS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function cS(i,e){
-let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function hS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
-e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function uS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
-t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function dS(i,e){let t=this.
+e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function iS(i,e){
+let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;yg.set(n),i.uniformMatrix2fv(this.
+addr,!1,yg),mn(t,n)}}function sS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
+return;xg.set(n),i.uniformMatrix3fv(this.addr,!1,xg),mn(t,n)}}function rS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
+this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;_g.set(n),i.uniformMatrix4fv(this.addr,!1,_g),mn(t,n)}}function oS(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
+addr,e),t[0]=e)}function aS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
+i.uniform2iv(this.addr,e),mn(t,e)}}function lS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
+e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function cS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function hS(i,e){
+let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function uS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
+e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function dS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
+t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function fS(i,e){let t=this.
 cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(
-t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function qc(i){return i.version===0&&(i.compareFunction=ed,i.needsUpdate=!0),i}function fS(i,e,t){let n=this.cache,
-s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=qc(Fg):r=Ug,t.setTexture2D(e||r,s)}function pS(i,e,t){
-let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||kg,s)}function mS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
-n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=qc(Og):r=zg,t.setTextureCube(e||r,s)}function gS(i,e,t){let n=this.cache,s=t.
-allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Bg,s)}function _S(i){switch(i){case 5126:return jM;case 35664:return QM;case 35665:
-return eS;case 35666:return tS;case 35674:return nS;case 35675:return iS;case 35676:return sS;case 5124:case 35670:return rS;case 35667:case 35671:return oS;case 35668:case 35672:
-return aS;case 35669:case 35673:return lS;case 5125:return cS;case 36294:return hS;case 36295:return uS;case 36296:return dS;case 35678:case 36198:case 36298:case 36306:case 35682:
-return fS;case 35679:case 36299:case 36307:return pS;case 35680:case 36300:case 36308:case 36293:return mS;case 36289:case 36303:case 36311:case 36292:return gS}}
-function xS(i,e){i.uniform1fv(this.addr,e)}function yS(i,e){let t=fo(e,this.size,2);i.uniform2fv(this.addr,t)}function vS(i,e){let t=fo(e,this.size,3);i.uniform3fv(
-this.addr,t)}function bS(i,e){let t=fo(e,this.size,4);i.uniform4fv(this.addr,t)}function MS(i,e){let t=fo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function SS(i,e){
-let t=fo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function wS(i,e){let t=fo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function TS(i,e){i.uniform1iv(
-this.addr,e)}function AS(i,e){i.uniform2iv(this.addr,e)}function ES(i,e){i.uniform3iv(this.addr,e)}function CS(i,e){i.uniform4iv(this.addr,e)}function RS(i,e){i.
-uniform1uiv(this.addr,e)}function PS(i,e){i.uniform2uiv(this.addr,e)}function IS(i,e){i.uniform3uiv(this.addr,e)}function LS(i,e){i.uniform4uiv(this.addr,e)}function NS(i,e,t){
-let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=qc(Fg):o=Ug;for(let a=0;a!==s;++a)t.setTexture2D(
-e[a]||o,r[a])}function DS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||kg,
-r[o])}function US(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=qc(Og):o=zg;
-for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function FS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
-s;++o)t.setTexture2DArray(e[o]||Bg,r[o])}function OS(i){switch(i){case 5126:return xS;case 35664:return yS;case 35665:return vS;case 35666:return bS;case 35674:
-return MS;case 35675:return SS;case 35676:return wS;case 5124:case 35670:return TS;case 35667:case 35671:return AS;case 35668:case 35672:return ES;case 35669:case 35673:
-return CS;case 5125:return RS;case 36294:return PS;case 36295:return IS;case 36296:return LS;case 35678:case 36198:case 36298:case 36306:case 35682:return NS;case 35679:case 36299:case 36307:
-return DS;case 35680:case 36300:case 36308:case 36293:return US;case 36289:case 36303:case 36311:case 36292:return FS}}var hd=class{constructor(e,t,n){this.id=e,
-this.addr=n,this.cache=[],this.type=t.type,this.setValue=_S(t.type)}},ud=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
-t.size,this.setValue=OS(t.type)}},dd=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
-a.setValue(e,t[a.id],n)}}},ld=/(\w+)(\])?(\[|\.)?/g;function yg(i,e){i.seq.push(e),i.map[e.id]=e}function BS(i,e,t){let n=i.name,s=n.length;for(ld.lastIndex=0;;){
-let r=ld.exec(n),o=ld.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){yg(t,c===void 0?new hd(a,i,e):new ud(a,i,e));break}else{let u=t.
-map[a];u===void 0&&(u=new dd(a),yg(t,u)),t=u}}}var uo=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
-n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);BS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
+t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function qc(i){return i.version===0&&(i.compareFunction=ed,i.needsUpdate=!0),i}function pS(i,e,t){let n=this.cache,
+s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=qc(Og):r=Fg,t.setTexture2D(e||r,s)}function mS(i,e,t){
+let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||zg,s)}function gS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
+n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=qc(Bg):r=Vg,t.setTextureCube(e||r,s)}function _S(i,e,t){let n=this.cache,s=t.
+allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||kg,s)}function xS(i){switch(i){case 5126:return QM;case 35664:return eS;case 35665:
+return tS;case 35666:return nS;case 35674:return iS;case 35675:return sS;case 35676:return rS;case 5124:case 35670:return oS;case 35667:case 35671:return aS;case 35668:case 35672:
+return lS;case 35669:case 35673:return cS;case 5125:return hS;case 36294:return uS;case 36295:return dS;case 36296:return fS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return pS;case 35679:case 36299:case 36307:return mS;case 35680:case 36300:case 36308:case 36293:return gS;case 36289:case 36303:case 36311:case 36292:return _S}}
+function yS(i,e){i.uniform1fv(this.addr,e)}function vS(i,e){let t=fo(e,this.size,2);i.uniform2fv(this.addr,t)}function bS(i,e){let t=fo(e,this.size,3);i.uniform3fv(
+this.addr,t)}function MS(i,e){let t=fo(e,this.size,4);i.uniform4fv(this.addr,t)}function SS(i,e){let t=fo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function wS(i,e){
+let t=fo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function TS(i,e){let t=fo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function AS(i,e){i.uniform1iv(
+this.addr,e)}function ES(i,e){i.uniform2iv(this.addr,e)}function CS(i,e){i.uniform3iv(this.addr,e)}function RS(i,e){i.uniform4iv(this.addr,e)}function PS(i,e){i.
+uniform1uiv(this.addr,e)}function IS(i,e){i.uniform2uiv(this.addr,e)}function LS(i,e){i.uniform3uiv(this.addr,e)}function NS(i,e){i.uniform4uiv(this.addr,e)}function DS(i,e,t){
+let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=qc(Og):o=Fg;for(let a=0;a!==s;++a)t.setTexture2D(
+e[a]||o,r[a])}function US(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||zg,
+r[o])}function FS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=qc(Bg):o=Vg;
+for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function OS(i,e,t){let n=this.cache,s=e.length,r=$c(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
+s;++o)t.setTexture2DArray(e[o]||kg,r[o])}function BS(i){switch(i){case 5126:return yS;case 35664:return vS;case 35665:return bS;case 35666:return MS;case 35674:
+return SS;case 35675:return wS;case 35676:return TS;case 5124:case 35670:return AS;case 35667:case 35671:return ES;case 35668:case 35672:return CS;case 35669:case 35673:
+return RS;case 5125:return PS;case 36294:return IS;case 36295:return LS;case 36296:return NS;case 35678:case 36198:case 36298:case 36306:case 35682:return DS;case 35679:case 36299:case 36307:
+return US;case 35680:case 36300:case 36308:case 36293:return FS;case 36289:case 36303:case 36311:case 36292:return OS}}var hd=class{constructor(e,t,n){this.id=e,
+this.addr=n,this.cache=[],this.type=t.type,this.setValue=xS(t.type)}},ud=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
+t.size,this.setValue=BS(t.type)}},dd=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
+a.setValue(e,t[a.id],n)}}},ld=/(\w+)(\])?(\[|\.)?/g;function vg(i,e){i.seq.push(e),i.map[e.id]=e}function kS(i,e,t){let n=i.name,s=n.length;for(ld.lastIndex=0;;){
+let r=ld.exec(n),o=ld.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){vg(t,c===void 0?new hd(a,i,e):new ud(a,i,e));break}else{let u=t.
+map[a];u===void 0&&(u=new dd(a),vg(t,u)),t=u}}}var uo=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
+n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);kS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
 setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
-!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function vg(i,e,t){let n=i.
-createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var kS=37297,zS=0;function VS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
-for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var bg=new Qe;function GS(i){_t._getMatrix(bg,
-_t.workingColorSpace,i);let e="mat3( ".concat(bg.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case Ho:return[e,"LinearTransferOETF"];case At:return[
-e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function Mg(i,e,t){let n=i.getShaderParameter(e,i.
+!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function bg(i,e,t){let n=i.
+createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var zS=37297,VS=0;function GS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
+for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var Mg=new Qe;function HS(i){_t._getMatrix(Mg,
+_t.workingColorSpace,i);let e="mat3( ".concat(Mg.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case Ho:return[e,"LinearTransferOETF"];case At:return[
+e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function Sg(i,e,t){let n=i.getShaderParameter(e,i.
 COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+"\n\n"+
-r+"\n\n"+VS(i.getShaderSource(e),a)}else return r}function HS(i,e){let t=GS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
-t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var WS={[Bu]:"Linear",[ku]:"Reinhard",[zu]:"Cineon",[Vu]:"ACESFilmic",[Hu]:"AgX",[Wu]:"Neutral",[Gu]:"Custom"};
-function XS(i,e){let t=WS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
-"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Hc=new V;function $S(){_t.getLuminanceCoefficients(Hc);let i=Hc.x.toFixed(4),e=Hc.y.toFixed(
+r+"\n\n"+GS(i.getShaderSource(e),a)}else return r}function WS(i,e){let t=HS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
+t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var XS={[Bu]:"Linear",[ku]:"Reinhard",[zu]:"Cineon",[Vu]:"ACESFilmic",[Hu]:"AgX",[Wu]:"Neutral",[Gu]:"Custom"};
+function $S(i,e){let t=XS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
+"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Hc=new V;function qS(){_t.getLuminanceCoefficients(Hc);let i=Hc.x.toFixed(4),e=Hc.y.toFixed(
 4),t=Hc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
-weights, rgb );","}"].join("\n")}function qS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
-extension GL_ANGLE_multi_draw : require":""].filter(wa).join("\n")}function YS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
-join("\n")}function ZS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
+weights, rgb );","}"].join("\n")}function YS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
+extension GL_ANGLE_multi_draw : require":""].filter(wa).join("\n")}function ZS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
+join("\n")}function JS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
 (a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function wa(i){return i!==
-""}function Sg(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
+""}function wg(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
 e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,
 e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
-e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function wg(i,e){return i.
-replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var JS=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function fd(i){return i.replace(JS,KS)}function KS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return fd(
-t)}var jS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Tg(i){
-return i.replace(jS,QS)}function QS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
-r);return s}function Ag(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
+e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function Tg(i,e){return i.
+replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var KS=/^[ \t]*#include +<([\w\d./]+)>/gm;
+function fd(i){return i.replace(KS,jS)}function jS(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return fd(
+t)}var QS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Ag(i){
+return i.replace(QS,ew)}function ew(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
+r);return s}function Eg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
 ;\n precision ").concat(i.precision," samplerCube;\n precision ").concat(i.precision," sampler3D;\n precision ").concat(i.precision," sampler2DArray;\n precision\
  ").concat(i.precision," sampler2DShadow;\n precision ").concat(i.precision," samplerCubeShadow;\n precision ").concat(i.precision," sampler2DArrayShadow;\n prec\
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var ew={[pa]:"SHADOWMAP_TYPE_PCF",[ao]:"SHADOWMAP_TYPE_VSM"};function tw(i){
-return ew[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var nw={[co]:"ENVMAP_MODE_REFRACTION"};function iw(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":nw[i.envMapMode]||
-"ENVMAP_MODE_REFLECTION"}var sw={[ec]:"ENVMAP_BLENDING_MULTIPLY",[Hm]:"ENVMAP_BLENDING_MIX",[Wm]:"ENVMAP_BLENDING_ADD"};function rw(i){return i.envMap===!1?"ENV\
-MAP_BLENDING_NONE":sw[i.combine]||"ENVMAP_BLENDING_NONE"}function ow(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=tw(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=iw(t),u=rw(t),h=qS(t),f=YS(r),p=s.createProgram(),x,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var tw={[pa]:"SHADOWMAP_TYPE_PCF",[ao]:"SHADOWMAP_TYPE_VSM"};function nw(i){
+return tw[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var iw={[co]:"ENVMAP_MODE_REFRACTION"};function sw(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":iw[i.envMapMode]||
+"ENVMAP_MODE_REFLECTION"}var rw={[ec]:"ENVMAP_BLENDING_MULTIPLY",[Wm]:"ENVMAP_BLENDING_MIX",[Xm]:"ENVMAP_BLENDING_ADD"};function ow(i){return i.envMap===!1?"ENV\
+MAP_BLENDING_NONE":rw[i.combine]||"ENVMAP_BLENDING_NONE"}function aw(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=nw(t),c=t.envMapPMREM===
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=sw(t),u=ow(t),h=YS(t),f=ZS(r),p=s.createProgram(),x,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
 (x=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(wa).join("\n"),x.length>0&&(x+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,f].filter(wa).join("\n"),m.length>0&&(m+="\n")):(x=[Ag(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+"#define SHADER_NAME "+t.shaderName,f].filter(wa).join("\n"),m.length>0&&(m+="\n")):(x=[Eg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+d:"",t.lightMap?"#define USE_L\
@@ -2972,7 +2972,7 @@ l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#e
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(wa).join("\n"),m=[Ag(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(wa).join("\n"),m=[Eg(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
 "#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+d:"",t.envMap?"#define "+u:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
@@ -2993,28 +2993,28 @@ DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#defin
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Hi?"#define TONE_MAPPING":"",t.toneMapping!==Hi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
-Hi?XS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,HS("linearToOutputTexel",t.outputColorSpace),
-$S(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(wa).join("\n")),o=fd(o),o=Sg(o,t),o=wg(o,t),a=fd(a),a=Sg(a,t),a=wg(a,t),o=Tg(o),a=
-Tg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",x=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+x,m=["#d\
+Hi?$S("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,WS("linearToOutputTexel",t.outputColorSpace),
+qS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(wa).join("\n")),o=fd(o),o=wg(o,t),o=Tg(o,t),a=fd(a),a=wg(a,t),a=Tg(a,t),o=Ag(o),a=
+Ag(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",x=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+x,m=["#d\
 efine varying in",t.glslVersion===td?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===td?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let y=g+x+o,S=g+m+a,b=vg(s,s.VERTEX_SHADER,y),C=vg(s,s.FRAGMENT_SHADER,S);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+m);let y=g+x+o,S=g+m+a,b=bg(s,s.VERTEX_SHADER,y),C=bg(s,s.FRAGMENT_SHADER,S);s.attachShader(
 p,b),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"p\
 osition"),s.linkProgram(p);function w(P){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
 D=I.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
-s,p,b,C);else{let K=Mg(s,b,"vertex"),Q=Mg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
+s,p,b,C);else{let K=Sg(s,b,"vertex"),Q=Sg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+P.name+"\nMaterial Type: "+P.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?qe("WebGLProgram: Program Info Log:",D):(G===""||Y===
 "")&&(ce=!1);ce&&(P.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:x},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(b),s.deleteShader(C),_=new uo(
-s,p),M=ZS(s,p)}let _;this.getUniforms=function(){return _===void 0&&w(this),_};let M;this.getAttributes=function(){return M===void 0&&w(this),M};let R=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,kS)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=zS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
-C,this}var aw=0,pd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
+s,p),M=JS(s,p)}let _;this.getUniforms=function(){return _===void 0&&w(this),_};let M;this.getAttributes=function(){return M===void 0&&w(this),M};let R=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return R===!1&&(R=s.getProgramParameter(p,zS)),R},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=VS++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=b,this.fragmentShader=
+C,this}var lw=0,pd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
 n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new md(e),t.set(e,n)),n}},md=class{constructor(e){
-this.id=aw++,this.code=e,this.usedTimes=0}};function lw(i){return i===zs||i===va||i===ba}function cw(i,e,t,n,s,r){let o=new eo,a=new pd,l=new Set,c=[],d=new Map,
+this.id=lw++,this.code=e,this.usedTimes=0}};function cw(i){return i===zs||i===va||i===ba}function hw(i,e,t,n,s,r){let o=new eo,a=new pd,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(_){return l.add(_),_===0?"uv":"uv".concat(
@@ -3034,8 +3034,8 @@ W.mipmaps:null,Je={shaderID:ce,shaderType:_.type,shaderName:_.name,vertexShader:
 isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:K,batching:nt,batchingColor:nt&&I._colorsTexture!==null,instancing:He,instancingColor:He&&
 I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
 workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&W.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
-Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&_.normalMapType===qm,normalMapTangentSpace:Pt&&
-_.normalMapType===Vc,packedNormalMap:Pt&&_.normalMapType===Vc&&lw(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
+Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&_.normalMapType===Ym,normalMapTangentSpace:Pt&&
+_.normalMapType===Vc,packedNormalMap:Pt&&_.normalMapType===Vc&&cw(_.normalMap.format),metalnessMap:cn,roughnessMap:$t,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
 clearcoatMap:L,clearcoatNormalMap:T,clearcoatRoughnessMap:$,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:$e,retroreflection:it,iridescence:Se,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
 thicknessMap:ne,gradientMap:we,opaque:_.transparent===!1&&_.blending===lo&&_.alphaToCoverage===!1,alphaMap:ge,alphaTest:be,alphaHash:Ge,combine:_.combine,mapUv:Ve&&
@@ -3079,34 +3079,34 @@ M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmi
 5),M.morphTargets&&o.enable(6),M.morphNormals&&o.enable(7),M.morphColors&&o.enable(8),M.premultipliedAlpha&&o.enable(9),M.shadowMapEnabled&&o.enable(10),M.doubleSided&&
 o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
 enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
-0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function y(_){let M=h[_.type],R;if(M){let P=Xi[M];R=ag.clone(P.uniforms)}else R=_.uniforms;return R}
-function S(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new ow(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
+0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function y(_){let M=h[_.type],R;if(M){let P=Xi[M];R=lg.clone(P.uniforms)}else R=_.uniforms;return R}
+function S(_,M){let R=d.get(M);return R!==void 0?++R.usedTimes:(R=new aw(i,M,_,s),c.push(R),d.set(M,R)),R}function b(_){if(--_.usedTimes===0){let M=c.indexOf(_);
 c[M]=c[c.length-1],c.pop(),d.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function w(){a.dispose()}return{getParameters:p,getProgramCacheKey:x,getUniforms:y,
-acquireProgram:S,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:w}}function hw(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+acquireProgram:S,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:w}}function uw(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
-dispose:r}}function uw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
-e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Eg(i,e){
-return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function Cg(){
+dispose:r}}function dw(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
+e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Cg(i,e){
+return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function Rg(){
 let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,x,m,g){
 let y=i[e];return y===void 0?(y={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:x,renderOrder:h.renderOrder,z:m,group:g},i[e]=y):(y.id=h.
 id,y.object=h,y.geometry=f,y.material=p,y.materialVariant=o(h),y.groupOrder=x,y.renderOrder=h.renderOrder,y.z=m,y.group=g),e++,y}function l(h,f,p,x,m,g,y){y.reversedDepth===
 !0&&(m=-m);let S=a(h,f,p,x,m,g);p.transmission>0?n.push(S):p.transparent===!0?s.push(S):t.push(S)}function c(h,f,p,x,m,g){let y=a(h,f,p,x,m,g);p.transmission>0?
-n.unshift(y):p.transparent===!0?s.unshift(y):t.unshift(y)}function d(h,f){t.length>1&&t.sort(h||uw),n.length>1&&n.sort(f||Eg),s.length>1&&s.sort(f||Eg)}function u(){
+n.unshift(y):p.transparent===!0?s.unshift(y):t.unshift(y)}function d(h,f){t.length>1&&t.sort(h||dw),n.length>1&&n.sort(f||Cg),s.length>1&&s.sort(f||Cg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
-transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function dw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new Cg,i.set(n,[o])):
-s>=r.length?(o=new Cg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function fw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
+transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function fw(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new Rg,i.set(n,[o])):
+s>=r.length?(o=new Rg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function pw(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
 id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new rt};break;case"SpotLight":t={position:new V,direction:new V,color:new rt,
 distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
-skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function pw(){
+skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function mw(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
-id]=t,t}}}var mw=0;function gw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function _w(i){let e=new fw,t=pw(),n={version:0,hash:{sunLength:-1,
+id]=t,t}}}var gw=0;function _w(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function xw(i){let e=new pw,t=mw(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,x=0,m=0,g=0,y=0,S=0,b=0,C=0,w=0,_=0,M=0,R=0,P=0;c.sort(gw);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,x=0,m=0,g=0,y=0,S=0,b=0,C=0,w=0,_=0,M=0,R=0,P=0;c.sort(_w);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===zs?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);P++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
@@ -3130,7 +3130,7 @@ sun.length=f,n.directional.length=m,n.spot.length=y,n.rectArea.length=S,n.point.
 length=x,n.sunShadowCascade.length=x,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=w,n.pointShadowMap.
 length=w,n.pointShadowMatrix.length=w,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+M-R,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
 R,n.numLightProbes=P,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=y,I.rectAreaLength=S,I.hemiLength=b,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=w,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=mw++)}function l(c,d){let u=0,h=0,f=0,p=0,x=0,m=0,g=d.matrixWorldInverse;for(let y=0,
+C,I.numPointShadows=w,I.numSpotShadows=_,I.numSpotMaps=M,I.numLightProbes=P,n.version=gw++)}function l(c,d){let u=0,h=0,f=0,p=0,x=0,m=0,g=d.matrixWorldInverse;for(let y=0,
 S=c.length;y<S;y++){let b=c[y];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
 transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
@@ -3138,24 +3138,24 @@ b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),
 C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
 set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),x++}else if(b.isPointLight){let C=n.point[f];C.position.
 setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(b.matrixWorld),
-C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Rg(i){let e=new _w(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function Pg(i){let e=new xw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
-return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function xw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
-(a=new Rg(i),e.set(s,[a])):r>=o.length?(a=new Rg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var yw="void main() {\n gl_Position = \
-vec4( position, 1.0 );\n}",vw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
+return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function yw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
+(a=new Pg(i),e.set(s,[a])):r>=o.length?(a=new Pg(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var vw="void main() {\n gl_Position = \
+vec4( position, 1.0 );\n}",bw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
 PLES );\n float mean = 0.0;\n float squared_mean = 0.0;\n float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );\n float uvStart = samples <= 1.0 ? 0.0 : \
 - 1.0;\n for ( float i = 0.0; i < samples; i ++ ) {\n  float uvOffset = uvStart + i * uvStride;\n  #ifdef HORIZONTAL_PASS\n   vec2 distribution = texture2D( shadow_\
 pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n   mean += distribution.x;\n   squared_mean += distribution.y * distribution.y + di\
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
-mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",bw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-Mw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Pg=new xt,Sa=new V,cd=new V;function Sw(i,e,t){let n=new Ls,s=new st,r=new st,
+mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",Mw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
+Sw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],Ig=new xt,Sa=new V,cd=new V;function ww(i,e,t){let n=new Ls,s=new st,r=new st,
 o=new Wt,a=new zl,l=new Vl,c={},d=t.maxTextureSize,u={[ks]:zn,[zn]:ks,[Gi]:Gi},h=new Vi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new st},radius:{value:4}},vertexShader:yw,fragmentShader:vw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new Mi(new Float32Array(
+value:new st},radius:{value:4}},vertexShader:vw,fragmentShader:bw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new Mi(new Float32Array(
 [-1,-1,.5,3,-1,.5,-1,3,.5]),3));let x=new ui(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=pa;let g=this.type;this.render=function(w,_,M){
-if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||w.length===0)return;this.type===wm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
-hadowMap instead."),this.type=pa);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(sr),F.buffers.depth.getReversed()===
+if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||w.length===0)return;this.type===Tm&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+hadowMap instead."),this.type=pa);let R=i.getRenderTarget(),P=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(rr),F.buffers.depth.getReversed()===
 !0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&_.traverse(function(D){
 D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=w.length;D<G;D++){let Y=w[D],W=Y.shadow;
 if(W===void 0){qe("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
@@ -3170,8 +3170,8 @@ K?Qu:ju,W.map.depthTexture.minFilter=Bn,W.map.depthTexture.magFilter=Bn):(W.map.
 magFilter=Mn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
 isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,M);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:M.layers;
 for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
-Sa.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(Sa),cd.copy(ee.position),cd.add(bw[de]),ee.up.copy(Mw[de]),ee.lookAt(cd),ee.updateMatrixWorld(),me.makeTranslation(
--Sa.x,-Sa.y,-Sa.z),Pg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Pg,ee.coordinateSystem,ee.reversedDepth)}if(W.
+Sa.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(Sa),cd.copy(ee.position),cd.add(Mw[de]),ee.up.copy(Sw[de]),ee.lookAt(cd),ee.updateMatrixWorld(),me.makeTranslation(
+-Sa.x,-Sa.y,-Sa.z),Ig.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(Ig,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
 ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(_,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===ao&&y(W,M),W.needsUpdate=!1}g=this.type,
 m.needsUpdate=!1,i.setRenderTarget(R,P,I)};function y(w,_){let M=e.update(x);h.defines.VSM_SAMPLES!==w.blurSamples&&(h.defines.VSM_SAMPLES=w.blurSamples,f.defines.
@@ -3191,12 +3191,12 @@ n))){w.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,w.matrixWorld);let 
 length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=S(w,Q,R,I);w.onBeforeShadow(i,w,_,M,D,se,K),i.renderBufferDirect(M,null,D,se,w,K),w.onAfterShadow(
 i,w,_,M,D,se,K)}}}else if(G.visible){let Y=S(w,G,R,I);w.onBeforeShadow(i,w,_,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,w,null),w.onAfterShadow(i,w,_,M,D,Y,null)}}
 let z=w.children;for(let D=0,G=z.length;D<G;D++)b(z[D],_,M,R,P,I)}function C(w){w.target.removeEventListener("dispose",C);for(let M in c){let R=c[M],P=w.target.
-uuid;P in R&&(R[P].dispose(),delete R[P])}}}function ww(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
+uuid;P in R&&(R[P].dispose(),delete R[P])}}}function Tw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,be,Ge,Ze,le){le===!0&&(ge*=Ze,be*=Ze,Ge*=Ze),re.set(ge,be,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,be,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(be){
 if(re!==be){let Ge=e.get("EXT_clip_control");be?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
 re=be;let Ze=ge;ge=null,this.setClear(Ze)}},getReversed:function(){return re},setTest:function(be){be?Me(i.DEPTH_TEST):He(i.DEPTH_TEST)},setMask:function(be){ne!==
-be&&!O&&(i.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=sg[be]),we!==be){switch(be){case vl:i.depthFunc(i.NEVER);break;case bl:i.depthFunc(i.ALWAYS);break;case Ml:
+be&&!O&&(i.depthMask(be),ne=be)},setFunc:function(be){if(re&&(be=rg[be]),we!==be){switch(be){case vl:i.depthFunc(i.NEVER);break;case bl:i.depthFunc(i.ALWAYS);break;case Ml:
 i.depthFunc(i.LESS);break;case Jr:i.depthFunc(i.LEQUAL);break;case Sl:i.depthFunc(i.EQUAL);break;case wl:i.depthFunc(i.GEQUAL);break;case Tl:i.depthFunc(i.GREATER);
 break;case Al:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=be}},setLocked:function(be){O=be},setClear:function(be){ge!==be&&(ge=be,re&&(be=1-be),
 i.clearDepth(be))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let O=!1,re=null,ne=null,we=null,ge=null,be=null,Ge=null,Ze=null,le=null;return{
@@ -3211,14 +3211,14 @@ de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromA
 ne;Ge++)O===i.TEXTURE_3D||O===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+Ge,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,
 ge);return be}let Ee={};Ee[i.TEXTURE_2D]=xe(i.TEXTURE_2D,i.TEXTURE_2D,1),Ee[i.TEXTURE_CUBE_MAP]=xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ee[i.TEXTURE_2D_ARRAY]=
 xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(i.DEPTH_TEST),
-o.setFunc(Jr),Qt(!1),Pt(Lu),Me(i.CULL_FACE),Gt(sr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
+o.setFunc(Jr),Qt(!1),Pt(Lu),Me(i.CULL_FACE),Gt(rr);function Me(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
 return h[O]!==re?(i.bindFramebuffer(O,re),h[O]=re,O===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=re),O===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ve(O,re){
 let ne=p,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let be=0,Ge=ge.
 length;be<Ge;be++)ne[be]=i.COLOR_ATTACHMENT0+be;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return x!==
-O?(i.useProgram(O),x=O,!0):!1}let lt={[rr]:i.FUNC_ADD,[Am]:i.FUNC_SUBTRACT,[Em]:i.FUNC_REVERSE_SUBTRACT};lt[Cm]=i.MIN,lt[Rm]=i.MAX;let et={[Pm]:i.ZERO,[Im]:i.ONE,
-[Lm]:i.SRC_COLOR,[Fu]:i.SRC_ALPHA,[Bm]:i.SRC_ALPHA_SATURATE,[Fm]:i.DST_COLOR,[Dm]:i.DST_ALPHA,[Nm]:i.ONE_MINUS_SRC_COLOR,[Ou]:i.ONE_MINUS_SRC_ALPHA,[Om]:i.ONE_MINUS_DST_COLOR,
-[Um]:i.ONE_MINUS_DST_ALPHA,[km]:i.CONSTANT_COLOR,[zm]:i.ONE_MINUS_CONSTANT_COLOR,[Vm]:i.CONSTANT_ALPHA,[Gm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
-if(O===sr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==Tm){if(O!==g||Oe!==P){if((y!==rr||C!==rr)&&(i.blendEquation(i.FUNC_ADD),y=rr,C=rr),
+O?(i.useProgram(O),x=O,!0):!1}let lt={[or]:i.FUNC_ADD,[Em]:i.FUNC_SUBTRACT,[Cm]:i.FUNC_REVERSE_SUBTRACT};lt[Rm]=i.MIN,lt[Pm]=i.MAX;let et={[Im]:i.ZERO,[Lm]:i.ONE,
+[Nm]:i.SRC_COLOR,[Fu]:i.SRC_ALPHA,[km]:i.SRC_ALPHA_SATURATE,[Om]:i.DST_COLOR,[Um]:i.DST_ALPHA,[Dm]:i.ONE_MINUS_SRC_COLOR,[Ou]:i.ONE_MINUS_SRC_ALPHA,[Bm]:i.ONE_MINUS_DST_COLOR,
+[Fm]:i.ONE_MINUS_DST_ALPHA,[zm]:i.CONSTANT_COLOR,[Vm]:i.ONE_MINUS_CONSTANT_COLOR,[Gm]:i.CONSTANT_ALPHA,[Hm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,be,Ge,Ze,le,Oe){
+if(O===rr){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Me(i.BLEND),m=!0),O!==Am){if(O!==g||Oe!==P){if((y!==or||C!==or)&&(i.blendEquation(i.FUNC_ADD),y=or,C=or),
 Oe)switch(O){case lo:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Nu:i.blendFunc(i.ONE,i.ONE);break;case Du:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Uu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case lo:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Nu:i.blendFuncSeparate(
@@ -3226,12 +3226,12 @@ i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Du:Ke("WebGLState: SubtractiveBlending
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,b=null,w=null,_=null,M.set(0,0,0),
 R=0,g=O,P=Oe}return}ge=ge||re,be=be||ne,Ge=Ge||we,(re!==y||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),y=re,C=ge),(ne!==S||we!==b||be!==w||Ge!==_)&&(i.blendFuncSeparate(
 et[ne],et[we],et[be],et[Ge]),S=ne,b=we,w=be,_=Ge),(Ze.equals(M)===!1||le!==R)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),R=le),g=O,P=!1}function Ut(O,re){O.side===
-Gi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===zn;re&&(ne=!ne),Qt(ne),O.blending===lo&&O.transparent===!1?Gt(sr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
+Gi?He(i.CULL_FACE):Me(i.CULL_FACE);let ne=O.side===zn;re&&(ne=!ne),Qt(ne),O.blending===lo&&O.transparent===!1?Gt(rr):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
 a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?Me(i.SAMPLE_ALPHA_TO_COVERAGE):
-He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){I!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),I=O)}function Pt(O){O!==Mm?(Me(i.CULL_FACE),O!==F&&(O===Lu?i.cullFace(
-i.BACK):O===Sm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(Me(i.
+He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){I!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),I=O)}function Pt(O){O!==Sm?(Me(i.CULL_FACE),O!==F&&(O===Lu?i.cullFace(
+i.BACK):O===wm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(Me(i.
 POLYGON_OFFSET_FILL),(D!==re||G!==ne)&&(D=re,G=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):He(i.POLYGON_OFFSET_FILL)}function cn(O){O?Me(i.SCISSOR_TEST):
 He(i.SCISSOR_TEST)}function $t(O){O===void 0&&(O=i.TEXTURE0+Y-1),Q!==O&&(i.activeTexture(O),Q=O)}function en(O,re,ne){ne===void 0&&(Q===null?ne=i.TEXTURE0+Y-1:ne=
 Q);let we=se[ne];we===void 0&&(we={type:void 0,texture:void 0},se[ne]=we),(we.type!==O||we.texture!==re)&&(Q!==ne&&(i.activeTexture(ne),Q=ne),i.bindTexture(O,re||
@@ -3257,7 +3257,7 @@ p=[],x=null,m=!1,g=null,y=null,S=null,b=null,C=null,w=null,_=null,M=new rt(0,0,0
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:$t,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:$e,texImage2D:T,texImage3D:$,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
-texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function Tw(i,e,t,n,s,r,o){
+texStorage2D:Xe,texStorage3D:L,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function Aw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
 userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,x=new FinalizationRegistry(L=>p.delete(L)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
 1,1).getContext("2d")!==null}catch{}function g(L,T){return m?new OffscreenCanvas(L,T):Wo("canvas")}function y(L,T,$){let he=1,oe=Xe(L);if((oe.width>$||oe.height>
@@ -3280,8 +3280,8 @@ ye&&(te=ye.RGB16_SNORM_EXT),$===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),$===i
 getTransfer(oe);$===i.FLOAT&&(te=i.RGBA32F),$===i.HALF_FLOAT&&(te=i.RGBA16F),$===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),$===i.UNSIGNED_SHORT&&ye&&
 (te=ye.RGBA16_EXT),$===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),$===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),$===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
 i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function _(L,T){let $;return L?T===null||T===
-Si||T===ar?$=i.DEPTH24_STENCIL8:T===di?$=i.DEPTH32F_STENCIL8:T===ho&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
-il. Using 24-bit attachment.")):T===null||T===Si||T===ar?$=i.DEPTH_COMPONENT24:T===di?$=i.DEPTH_COMPONENT32F:T===ho&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return S(
+Si||T===lr?$=i.DEPTH24_STENCIL8:T===di?$=i.DEPTH32F_STENCIL8:T===ho&&($=i.DEPTH24_STENCIL8,qe("DepthTexture: 16 bit depth attachment is not supported with stenc\
+il. Using 24-bit attachment.")):T===null||T===Si||T===lr?$=i.DEPTH_COMPONENT24:T===di?$=i.DEPTH_COMPONENT32F:T===ho&&($=i.DEPTH_COMPONENT16),$}function M(L,T){return S(
 L)===!0||L.isFramebufferTexture&&L.minFilter!==Mn&&L.minFilter!==Bn?Math.log2(Math.max(T.width,T.height))+1:L.mipmaps.length>0?L.mipmaps.length:L.isCompressedTexture&&
 Array.isArray(L.image)?T.mipmaps.length:1}function R(L){let T=new WeakRef(L);n.get(L).__ref=T,p.add(T),x.register(L,T,T)}function P(L){let T=n.get(L).__ref;T!==
 void 0&&(p.delete(T),x.unregister(T))}function I(L){z(L.target)}function F(L){D(L.target)}function z(L){L.removeEventListener("dispose",I),P(L),Y(L),L.isVideoTexture&&
@@ -3306,8 +3306,8 @@ $.__webglTexture,i.TEXTURE0+T)}function xe(L,T){let $=n.get(L);if(L.isRenderTarg
 ($.__webglTexture=L.sourceTexture?L.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,$.__webglTexture,i.TEXTURE0+T)}function Ee(L,T){let $=n.get(L);if(L.isRenderTargetTexture===
 !1&&L.version>0&&$.__version!==L.version){Ut($,L,T);return}t.bindTexture(i.TEXTURE_3D,$.__webglTexture,i.TEXTURE0+T)}function Me(L,T){let $=n.get(L);if(L.version>
 0&&$.__version!==L.version){Qt($,L,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,$.__webglTexture,i.TEXTURE0+T)}let He={[El]:i.REPEAT,[Bi]:i.CLAMP_TO_EDGE,[Cl]:i.MIRRORED_REPEAT},
-nt={[Mn]:i.NEAREST,[Xm]:i.NEAREST_MIPMAP_NEAREST,[ma]:i.NEAREST_MIPMAP_LINEAR,[Bn]:i.LINEAR,[ic]:i.LINEAR_MIPMAP_NEAREST,[ds]:i.LINEAR_MIPMAP_LINEAR},Ve={[Zm]:i.
-NEVER,[ed]:i.ALWAYS,[Jm]:i.LESS,[ju]:i.LEQUAL,[Km]:i.EQUAL,[Qu]:i.GEQUAL,[jm]:i.GREATER,[Qm]:i.NOTEQUAL};function ut(L,T){if(T.type===di&&e.has("OES_texture_flo\
+nt={[Mn]:i.NEAREST,[$m]:i.NEAREST_MIPMAP_NEAREST,[ma]:i.NEAREST_MIPMAP_LINEAR,[Bn]:i.LINEAR,[ic]:i.LINEAR_MIPMAP_NEAREST,[ds]:i.LINEAR_MIPMAP_LINEAR},Ve={[Jm]:i.
+NEVER,[ed]:i.ALWAYS,[Km]:i.LESS,[ju]:i.LEQUAL,[jm]:i.EQUAL,[Qu]:i.GEQUAL,[Qm]:i.GREATER,[eg]:i.NOTEQUAL};function ut(L,T){if(T.type===di&&e.has("OES_texture_flo\
 at_linear")===!1&&(T.magFilter===Bn||T.magFilter===ic||T.magFilter===ma||T.magFilter===ds||T.minFilter===Bn||T.minFilter===ic||T.minFilter===ma||T.minFilter===ds)&&
 qe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(L,i.TEXTURE_WRAP_S,
 He[T.wrapS]),i.texParameteri(L,i.TEXTURE_WRAP_T,He[T.wrapT]),(L===i.TEXTURE_3D||L===i.TEXTURE_2D_ARRAY)&&i.texParameteri(L,i.TEXTURE_WRAP_R,He[T.wrapR]),i.texParameteri(
@@ -3443,7 +3443,7 @@ LTextures: Unsupported texture color space:",$)),T}function Xe(L){return typeof 
 c.height=L.naturalHeight||L.height):typeof VideoFrame<"u"&&L instanceof VideoFrame?(c.width=L.displayWidth,c.height=L.displayHeight):(c.width=L.width,c.height=L.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
 setTexture3D=Ee,this.setTextureCube=Me,this.rebindTextures=$t,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=$e,this.
-setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function Aw(i,e){function t(n,s=ps){let r,o=_t.getTransfer(s);
+setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function Ew(i,e){function t(n,s=ps){let r,o=_t.getTransfer(s);
 if(n===Wn)return i.UNSIGNED_BYTE;if(n===rc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===oc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Yu)return i.UNSIGNED_INT_5_9_9_9_REV;
 if(n===Zu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===$u)return i.BYTE;if(n===qu)return i.SHORT;if(n===ho)return i.UNSIGNED_SHORT;if(n===sc)return i.INT;if(n===
 Si)return i.UNSIGNED_INT;if(n===di)return i.FLOAT;if(n===wi)return i.HALF_FLOAT;if(n===Ju)return i.ALPHA;if(n===Ku)return i.RGB;if(n===Ti)return i.RGBA;if(n===os)
@@ -3468,13 +3468,13 @@ r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Dc)return o===At?r.COMPRESSED_SRGB8_ALPH
 Fc||n===Oc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Uc)return o===At?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;
 if(n===Fc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Oc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Bc||n===kc||n===ba||n===
 zc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Bc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===kc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===ba)
-return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===zc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===ar?i.UNSIGNED_INT_24_8:i[n]!==void 0?
-i[n]:null}return{convert:t}}var Ew="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",Cw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
+return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===zc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===lr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
+i[n]:null}return{convert:t}}var Cw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",Rw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
 \n}",gd=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Qo(e.texture);(e.depthNear!==
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
-let t=e.cameras[0].viewport,n=new Vi({vertexShader:Ew,fragmentShader:Cw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
+let t=e.cameras[0].viewport,n=new Vi({vertexShader:Cw,fragmentShader:Rw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new ui(new na(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},_d=class extends ki{constructor(e,t){
 super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,x=typeof XRWebGLBinding<"u",m=new gd,g={},y=t.getContextAttributes(),
 S=null,b=null,C=[],w=[],_=new st,M=null,R=null,P=new On;P.viewport=new Wt;let I=new On;I.viewport=new Wt;let F=[P,I],z=new Ql,D=null,G=null;this.cameraAutoUpdate=
@@ -3492,7 +3492,7 @@ function(){return h!==null?h:f},this.getBinding=function(){return u===null&&x&&(
 function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(S=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
 "end",W),s.addEventListener("inputsourceschange",ce),y.xrCompatible!==!0&&await t.makeXRCompatible(),M=e.getPixelRatio(),e.getSize(_),x&&"createProjectionLayer"in
-XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;y.depth&&(Me=y.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=y.stencil?fs:os,Ee=y.stencil?ar:Si);let He={
+XRWebGLBinding.prototype){let xe=null,Ee=null,Me=null;y.depth&&(Me=y.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=y.stencil?fs:os,Ee=y.stencil?lr:Si);let He={
 colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
 h.textureWidth,h.textureHeight,!1),b=new ni(h.textureWidth,h.textureHeight,{format:Ti,type:Wn,depthTexture:new us(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
 void 0,void 0,void 0,void 0,xe),stencilBuffer:y.stencil,colorSpace:e.outputColorSpace,samples:y.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
@@ -3523,8 +3523,8 @@ et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve==
 Ee===!0&&z.cameras.push(et)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&x){u=n.getBinding();let Ve=u.getDepthInformation(
 xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Me&&Me.includes("camera-access")&&x){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
 length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Qo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
-let Ee=w[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Ig;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Rw=new xt,Vg=new Qe;Vg.set(-1,0,0,0,1,0,0,0,1);function Pw(i,e){function t(m,g){
+let Ee=w[xe],Me=C[xe];Ee!==null&&Me!==void 0&&Me.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new Lg;
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},Pw=new xt,Gg=new Qe;Gg.set(-1,0,0,0,1,0,0,0,1);function Iw(i,e){function t(m,g){
 m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,sd(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
 value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,y,S,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
 (r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
@@ -3537,8 +3537,8 @@ m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===zn&&(m.bumpScale.valu
 m.normalScale.value.copy(g.normalScale),g.side===zn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
 m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
 t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
-value=g.alphaTest);let y=e.get(g),S=y.envMap,b=y.envMapRotation;S&&(m.envMap.value=S,m.envMapRotation.value.setFromMatrix4(Rw.makeRotationFromEuler(b)).transpose(),
-S.isCubeTexture&&S.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Vg),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
+value=g.alphaTest);let y=e.get(g),S=y.envMap,b=y.envMapRotation;S&&(m.envMap.value=S,m.envMapRotation.value.setFromMatrix4(Pw.makeRotationFromEuler(b)).transpose(),
+S.isCubeTexture&&S.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Gg),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
 g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
 g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
 value=g.map,t(g.map,m.mapTransform))}function a(m,g){m.dashSize.value=g.dashSize,m.totalSize.value=g.dashSize+g.gapSize,m.scale.value=g.scale}function l(m,g,y,S){
@@ -3566,7 +3566,7 @@ g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t
 m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
 g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
 (m.matcap.value=g.matcap)}function x(m,g){let y=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(y.matrixWorld),m.nearDistance.value=y.shadow.camera.
-near,m.farDistance.value=y.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Iw(i,e,t,n){let s={},r={};function o(y,S){let b=S.program;
+near,m.farDistance.value=y.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function Lw(i,e,t,n){let s={},r={};function o(y,S){let b=S.program;
 n.uniformBlockBinding(y,b,s[y.id])}function a(y,S){let b=s[y.id];b===void 0&&(p(y),b=l(y),s[y.id]=b,y.addEventListener("dispose",m));let C=S.program;n.updateUBOMapping(
 y,C);let w=e.render.frame;r[y.id]!==w&&(c(y),r[y.id]=w)}function l(y){let S=i.createBuffer(),b=y.__size,C=y.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
 i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(y){let S=s[y.id],b=y.uniforms,C=y.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let w=0,_=b.
@@ -3586,7 +3586,7 @@ lean"?(b.boundary=4,b.storage=4):y.isVector2?(b.boundary=8,b.storage=8):y.isVect
 16):y.isMatrix3?(b.boundary=16,b.storage=48):y.isMatrix4?(b.boundary=16,b.storage=64):y.isTexture?qe("WebGLRenderer: Texture samplers can not be part of an unif\
 orms group."):ArrayBuffer.isView(y)?(b.boundary=16,b.storage=y.byteLength):qe("WebGLRenderer: Unsupported uniform value type.",y),S===!0&&(b.boundary=16,b.storage=
 Math.ceil(b.storage/16)*16),b}function m(y){let S=y.target;S.removeEventListener("dispose",m),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function g(){
-for(let y in s)i.deleteBuffer(s[y]);s={},r={}}return{bind:o,update:a,dispose:g}}var Lw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+for(let y in s)i.deleteBuffer(s[y]);s={},r={}}return{bind:o,update:a,dispose:g}}var Nw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3604,11 +3604,11 @@ for(let y in s)i.deleteBuffer(s[y]);s={},r={}}return{bind:o,update:a,dispose:g}}
 5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
-1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Wi=null;function Nw(){return Wi===null&&(Wi=new Zo(Lw,16,16,zs,wi),Wi.name="DFG_LUT",Wi.minFilter=
-Bn,Wi.magFilter=Bn,Wi.wrapS=Bi,Wi.wrapT=Bi,Wi.generateMipmaps=!1,Wi.needsUpdate=!0),Wi}var Xc=class{constructor(e={}){let{canvas:t=tg(),context:n=null,depth:s=!0,
+1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Wi=null;function Dw(){return Wi===null&&(Wi=new Zo(Nw,16,16,zs,wi),Wi.name="DFG_LUT",Wi.minFilter=
+Bn,Wi.magFilter=Bn,Wi.wrapS=Bi,Wi.wrapT=Bi,Wi.generateMipmaps=!1,Wi.needsUpdate=!0),Wi}var Xc=class{constructor(e={}){let{canvas:t=ng(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Wn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let x=f,m=new Set([hc,cc,lc]),g=new Set([Wn,Si,ho,ar,rc,oc]),
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let x=f,m=new Set([hc,cc,lc]),g=new Set([Wn,Si,ho,lr,rc,oc]),
 y=new Uint32Array(4),S=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,w=null,_=[],M=[],R=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Hi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,I=!1,F=null,z=null,D=null,
@@ -3620,11 +3620,11 @@ setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.ad
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
-E}function Ze(){$e=new WM(B),$e.init(),ge=new Aw(B,$e),it=new NM(B,$e,e,ge),Se=new ww(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new qM(B),ze=new hw,Xe=new Tw(B,$e,Se,ze,it,ge,Lt),L=new HM(P),T=new Zy(B),be=new IM(B,T),$=new XM(B,T,Lt,be),
-he=new ZM(B,$,T,be,Lt),re=new YM(B,it,Xe),ie=new DM(ze),oe=new cw(P,L,$e,it,be,ie),_e=new Pw(P,ze),ye=new dw,te=new xw($e),O=new PM(P,L,Se,he,p,l),pe=new Sw(P,he,
-it),Ge=new Iw(B,Lt,it,Se),ne=new LM(B,$e,Lt),we=new $M(B,$e,Lt),Lt.programs=oe.programs,P.capabilities=it,P.extensions=$e,P.properties=ze,P.renderLists=ye,P.shadowMap=
-pe,P.state=Se,P.info=Lt}x!==Wn&&(R=new KM(x,t.width,t.height,a,s,r));let le=new _d(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+E}function Ze(){$e=new XM(B),$e.init(),ge=new Ew(B,$e),it=new DM(B,$e,e,ge),Se=new Tw(B,$e),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
+D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new YM(B),ze=new uw,Xe=new Aw(B,$e,Se,ze,it,ge,Lt),L=new WM(P),T=new Jy(B),be=new LM(B,T),$=new $M(B,T,Lt,be),
+he=new JM(B,$,T,be,Lt),re=new ZM(B,it,Xe),ie=new UM(ze),oe=new hw(P,L,$e,it,be,ie),_e=new Iw(P,ze),ye=new fw,te=new yw($e),O=new IM(P,L,Se,he,p,l),pe=new ww(P,he,
+it),Ge=new Lw(B,Lt,it,Se),ne=new NM(B,$e,Lt),we=new qM(B,$e,Lt),Lt.programs=oe.programs,P.capabilities=it,P.extensions=$e,P.properties=ze,P.renderLists=ye,P.shadowMap=
+pe,P.state=Se,P.info=Lt}x!==Wn&&(R=new jM(x,t.width,t.height,a,s,r));let le=new _d(P,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=$e.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
 let E=$e.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(E){E!==void 0&&(Me=E,this.setSize(
 xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){qe("WebGLRenderer: Can't change size while VR devi\
@@ -3667,7 +3667,7 @@ Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlane
 function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];_o(
 Ae,j,k,Z),q.add(Ae)}else _o(Te,j,k,Z),q.add(Te)}),w=M.pop(),F!==null&&F.renderEnd(),q},this.compileAsync=function(E,k,j=null){let q=this.compile(E,k,j);return new Promise(
 Z=>{function Te(){if(q.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&q.delete(Pe)}),q.size===0){Z(E);return}setTimeout(Te,10)}
-$e.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let dr=null;function uh(E){dr&&dr(E)}function Ca(){$i.stop()}function Ei(){$i.start()}let $i=new Ig;
+$e.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let dr=null;function uh(E){dr&&dr(E)}function Ca(){$i.stop()}function Ei(){$i.start()}let $i=new Lg;
 $i.setAnimationLoop(uh),typeof self<"u"&&$i.setContext(self),this.setAnimationLoop=function(E){dr=E,le.setAnimationLoop(E),E===null?$i.stop():$i.start()},le.addEventListener(
 "sessionstart",Ca),le.addEventListener("sessionend",Ei),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
 tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,q=R!==null&&(ce===null||j)&&R.begin(P,
@@ -3750,7 +3750,7 @@ B,Z,"bindMatrixInverse");let Rt=Z.skeleton;Rt&&(Rt.boneTexture===null&&Rt.comput
 exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let Ln=j.
 morphAttributes;if((Ln.position!==void 0||Ln.normal!==void 0||Ln.color!==void 0)&&re.update(Z,j,nn),(Ri||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&k.environment!==
-null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Nw()),Ri){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
+null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=Dw()),Ri){if(ct.setValue(B,"toneMappingExposure",P.toneMappingExposure),
 Ue.needsLights&&fr(Yt,Zi),Te&&q.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,q,Me,Ee,w.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
 Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of w.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
@@ -3789,7 +3789,7 @@ Ie);let ke=E.textures[Ae],je=ke.format,dt=ke.type;E.textures.length>1&&B.readBuf
 "THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Be.__typeReadable===!1)throw new Error("THR\
 EE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ft=B.createBuffer();B.bindBuffer(B.PIXEL_PACK_BUFFER,
 ft),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(k,j,q,Z,ge.convert(je),ge.convert(dt),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let Xt=ce!==
-null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,Xt);let Et=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await ig(B,Et,4),
+null?ze.get(ce).__webglFramebuffer:null;Se.bindFramebuffer(B.FRAMEBUFFER,Xt);let Et=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await sg(B,Et,4),
 B.bindBuffer(B.PIXEL_PACK_BUFFER,ft),B.getBufferSubData(B.PIXEL_PACK_BUFFER,0,Te),B.bindBuffer(B.PIXEL_PACK_BUFFER,null),B.deleteBuffer(ft),B.deleteSync(Et),Te}else
 throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(E,k=null,j=0){
 let q=Math.pow(2,-j),Z=Math.floor(E.image.width*q),Te=Math.floor(E.image.height*q),Pe=k!==null?k.x:0,Ae=k!==null?k.y:0;Xe.setTexture2D(E,0),B.copyTexSubImage2D(
@@ -3819,13 +3819,13 @@ B.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,Yi),Se.pixelStorei
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
 Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,W=0,ce=null,Se.reset(),be.reset()},typeof __THREE_DEVTOOLS__<"\
 u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return hi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
-this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var Zc=0,Dw=1,Uw=new V,Gg=new da,xd=new ti,Hg=new V,Yc=new Oi,Jc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Kc,this.
+this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var Zc=0,Uw=1,Fw=new V,Hg=new da,xd=new ti,Wg=new V,Yc=new Oi,Jc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Kc,this.
 unassigned=new Kc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new yd(e[t]));this._compute()}
 return this}setFromObject(e){let t=[];return e.updateMatrixWorld(!0),e.traverse(function(n){let s=n.geometry;if(s!==void 0){let r=s.attributes.position;if(r!==void 0)
 for(let o=0,a=r.count;o<a;o++){let l=new V;l.fromBufferAttribute(r,o).applyMatrix4(n.matrixWorld),t.push(l)}}}),this.setFromPoints(t)}containsPoint(e){let t=this.
 faces;for(let n=0,s=t.length;n<s;n++)if(t[n].distanceToPoint(e)>this.tolerance)return!1;return!0}intersectRay(e,t){let n=this.faces,s=-1/0,r=1/0;for(let o=0,a=n.
 length;o<a;o++){let l=n[o],c=l.distanceToPoint(e.origin),d=l.normal.dot(e.direction);if(c>0&&d>=0)return null;let u=d!==0?-c/d:0;if(!(u<=0)&&(d>0?r=Math.min(u,r):
-s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Uw)!==null}makeEmpty(){return this.faces=[],this.
+s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,Fw)!==null}makeEmpty(){return this.faces=[],this.
 vertices=[],this}_addVertexToFace(e,t){return e.face=t,t.outside===null?this.assigned.append(e):this.assigned.insertBefore(t.outside,e),t.outside=e,this}_removeVertexFromFace(e,t){
 return e===t.outside&&(e.next!==null&&e.next.face===t?t.outside=e.next:t.outside=null),this.assigned.remove(e),this}_removeAllVerticesFromFace(e){if(e.outside!==
 null){let t=e.outside,n=e.outside;for(;n.next!==null&&n.next.face===e;)n=n.next;return this.assigned.removeSubList(t,n),t.prev=n.next=null,e.outside=null,t}}_deleteFaceVertices(e,t){
@@ -3837,8 +3837,8 @@ r=a),s>1e3*this.tolerance)break}}r!==null&&this._addVertexToFace(t,r),t=n}while(
 l=a.point;for(let c=0;c<3;c++)l.getComponent(c)<e.getComponent(c)&&(e.setComponent(c,l.getComponent(c)),n[c]=a);for(let c=0;c<3;c++)l.getComponent(c)>t.getComponent(
 c)&&(t.setComponent(c,l.getComponent(c)),s[c]=a)}return this.tolerance=3*Number.EPSILON*(Math.max(Math.abs(e.x),Math.abs(t.x))+Math.max(Math.abs(e.y),Math.abs(t.
 y))+Math.max(Math.abs(e.z),Math.abs(t.z))),{min:n,max:s}}_computeInitialHull(){let e=this.vertices,t=this._computeExtremes(),n=t.min,s=t.max,r=0,o=0;for(let h=0;h<
-3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Gg.set(a.point,l.point);for(let h=0,f=this.vertices.
-length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Gg.closestPointToPoint(p.point,!0,Hg);let x=Hg.distanceToSquared(p.point);x>r&&(r=x,c=p)}}r=-1,xd.setFromCoplanarPoints(
+3;h++){let f=s[h].point.getComponent(h)-n[h].point.getComponent(h);f>r&&(r=f,o=h)}let a=n[o],l=s[o],c,d;r=0,Hg.set(a.point,l.point);for(let h=0,f=this.vertices.
+length;h<f;h++){let p=e[h];if(p!==a&&p!==l){Hg.closestPointToPoint(p.point,!0,Wg);let x=Wg.distanceToSquared(p.point);x>r&&(r=x,c=p)}}r=-1,xd.setFromCoplanarPoints(
 a.point,l.point,c.point);for(let h=0,f=this.vertices.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!==c){let x=Math.abs(xd.distanceToPoint(p.point));x>r&&(r=x,d=
 p)}}let u=[];if(xd.distanceToPoint(d.point)<0){u.push(Ai.create(a,l,c),Ai.create(d,l,a),Ai.create(d,c,l),Ai.create(d,a,c));for(let h=0;h<3;h++){let f=(h+1)%3;u[h+
 1].getEdge(2).setTwin(u[0].getEdge(f)),u[h+1].getEdge(1).setTwin(u[f+1].getEdge(0))}}else{u.push(Ai.create(a,c,l),Ai.create(d,a,l),Ai.create(d,l,c),Ai.create(d,
@@ -3847,7 +3847,7 @@ faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!=
 distanceToPoint(p.point);g>r&&(r=g,x=this.faces[m])}x!==null&&this._addVertexToFace(p,x)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
 let n=this.faces[t];n.mark===Zc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
-mark=Dw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===Zc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
+mark=Uw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===Zc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
 r)),r=r.next}while(r!==t);return this}_addAdjoiningFace(e,t){let n=Ai.create(e,t.tail(),t.head());return this.faces.push(n),n.getEdge(-1).setTwin(t.twin),n.getEdge(
 0)}_addNewFaces(e,t){this.newFaces=[];let n=null,s=null;for(let r=0;r<t.length;r++){let o=t[r],a=this._addAdjoiningFace(e,o);n===null?n=a:a.next.setTwin(s),this.
 newFaces.push(a.face),s=a}return n.next.setTwin(s),this}_addVertexToHull(e){let t=[];return this.unassigned.clear(),this._removeVertexFromFace(e,e.face),this._computeHorizon(
@@ -3867,46 +3867,46 @@ e,this}appendChain(e){for(this.head===null?this.head=e:this.tail.next=e,e.prev=t
 null?this.head=e.next:e.prev.next=e.next,e.next===null?this.tail=e.prev:e.next.prev=e.prev,this}removeSubList(e,t){return e.prev===null?this.head=t.next:e.prev.
 next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var jc=class extends ln{constructor(e=[]){super();let t=[],n=[],r=new Jc().setFromPoints(e).faces;for(let o=0;o<r.length;o++){let a=r[o],l=a.edge;do{let c=l.head().
 point;t.push(c.x,c.y,c.z),n.push(a.normal.x,a.normal.y,a.normal.z),l=l.next}while(l!==a.edge)}this.setAttribute("position",new yt(t,3)),this.setAttribute("norma\
-l",new yt(n,3))}};var Qc=24,vd=.1;function Wg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Fw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
-i,3*t));function Ow({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
-n}var bd=Ui({box:{geometry:()=>new Ds,has_edges:!0},sphere:{geometry:({radius:i})=>new ia(i,Qc,Qc/2)},capsule:{geometry:i=>Wg(i.axis,new ea(i.radius,2*i.half_length,
-8,Qc))},cylinder:{geometry:i=>Wg(i.axis,new Us(i.radius,i.radius,2*i.half_length,Qc))},hull:{geometry:({points:i})=>new jc(Fw(i))},mesh:{geometry:Ow}}),Md=i=>i.
-shape!=="box"&&i.shape in bd,Xg=i=>Md(i)?bd[i.shape]:bd.box,$g=i=>Md(i)?"".concat(i.shape," ").concat(i.index):"box",Sd=i=>i.size[0]>0?i.size:[vd,vd,vd],qg=i=>Md(
-i)?[1,1,1]:Sd(i);var ms=0;var Yg=2,eh=3,Bw=32767,kw=new xt().makeScale(0,0,0);function zw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+l",new yt(n,3))}};var Qc=24,vd=.1;function Xg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var Ow=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
+i,3*t));function Bw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
+n}var bd=Ui({box:{geometry:()=>new Ds,has_edges:!0},sphere:{geometry:({radius:i})=>new ia(i,Qc,Qc/2)},capsule:{geometry:i=>Xg(i.axis,new ea(i.radius,2*i.half_length,
+8,Qc))},cylinder:{geometry:i=>Xg(i.axis,new Us(i.radius,i.radius,2*i.half_length,Qc))},hull:{geometry:({points:i})=>new jc(Ow(i))},mesh:{geometry:Bw}}),Md=i=>i.
+shape!=="box"&&i.shape in bd,$g=i=>Md(i)?bd[i.shape]:bd.box,qg=i=>Md(i)?"".concat(i.shape," ").concat(i.index):"box",Sd=i=>i.size[0]>0?i.size:[vd,vd,vd],Yg=i=>Md(
+i)?[1,1,1]:Sd(i);var ms=0;var Zg=2,eh=3,kw=32767,zw=new xt().makeScale(0,0,0);function Vw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
-i}function Vw(i,e){if(i==="marks")return new hs({wireframe:!0,depthTest:!1});let t=new sa;return e?zw(t):t}function Zg(i,e,t){let n=new Gn,s=new Gn,r=[],o={count:0},
+i}function Gw(i,e){if(i==="marks")return new hs({wireframe:!0,depthTest:!1});let t=new sa;return e?Vw(t):t}function Jg(i,e,t){let n=new Gn,s=new Gn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),x=i==="marks"?"ma\
-rks":$g(p);h.has(x)||h.set(x,{body:p,rows:[]}),h.get(x).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let x=Xg(f),m=i==="marks"?new so(.5):x.geometry(f),
-g=new Is(m,Vw(i,x.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+rks":qg(p);h.has(x)||h.set(x,{body:p,rows:[]}),h.get(x).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let x=$g(f),m=i==="marks"?new so(.5):x.geometry(f),
+g=new Is(m,Gw(i,x.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
 s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,x=new V,m=new kn,g=new V,y=new rt;for(let{mesh:S,rows:b}of r)
-b.forEach((C,w)=>{if(!(h&&C<h.rows&&h.mark[C]!==ms&&h.mark[C]!==eh)||f.hidden?.(C))S.setMatrixAt(w,kw);else{let M=o.body(C),R=h.rows;x.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...Sd(M))),m.identity()):(g.set(...qg(M)),m.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),S.setMatrixAt(
+b.forEach((C,w)=>{if(!(h&&C<h.rows&&h.mark[C]!==ms&&h.mark[C]!==eh)||f.hidden?.(C))S.setMatrixAt(w,zw);else{let M=o.body(C),R=h.rows;x.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(g.setScalar(Math.min(...Sd(M))),m.identity()):(g.set(...Yg(M)),m.set(h.turn[R+C],h.turn[2*R+C],h.turn[3*R+C],h.turn[C]).normalize()),S.setMatrixAt(
 w,p.compose(x,m,g))}y.copy(d),f.colour?.(C,y,h),S.setColorAt(w,y)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let x of[...s.children])s.remove(x),x.geometry.dispose(),x.material.dispose();if(h.length===0)return;let f=new Is(
 new so(.7),new hs({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:x,size:m},g)=>{f.setMatrixAt(
 g,p.compose(new V(...x),new kn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let x=[];return f.raycast(h,x),x.map(m=>({distance:m.
-distance,row:p[m.instanceId]}))})}};return u}function Jg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Bw*s)});return t}var Kg=1e3/30,Gw=[.05,.1,.25,.5,1,2,4,8,16],Hw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
- 6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function jg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
-ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Hw[i],'\
-"/></svg>'),e}function Vs(i,e,t){let n=X("button",{type:"button",className:i,title:e},jg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
-n}var cr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
+distance,row:p[m.instanceId]}))})}};return u}function Kg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(kw*s)});return t}var jg=1e3/30,Hw=[.05,.1,.25,.5,1,2,4,8,16],Ww={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+ 6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function Qg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
+ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Ww[i],'\
+"/></svg>'),e}function Vs(i,e,t){let n=X("button",{type:"button",className:i,title:e},Qg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
+n}var hr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
 list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function th({steps:i,dt:e,show:t,label:n="step shown",full:s=!0,
 played:r=()=>{}}){let o=i.first,a=null,l=0,c=o,d=performance.now(),u=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:o});u.setAttribute(
-"aria-label",n);let h=X("select",{className:"speed"},...Gw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
+"aria-label",n);let h=X("select",{className:"speed"},...Hw.map(R=>X("option",{value:R,textContent:"\xD7".concat(R),selected:R===1})));h.setAttribute("aria-label",
 "speed of playing");let f=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:o});f.setAttribute("aria-label","step");let p=()=>{u.value=o,document.
 activeElement!==f&&(f.value=o),t(o)},x=()=>{clearInterval(a),a=null;let R=l!==0;l=0,w(),R&&r(0)},m=R=>{let P=i.at_or_before(R);if(P===o){u.value=o;return}o=P,p()},
 g=R=>{x(),m(R)},y=()=>{let R=performance.now();c+=l*Number(h.value)*Math.min(.25,(R-d)/1e3)/Math.max(e(),1e-9),d=R,m(c),(l>0?c>=i.last:c<=i.first)&&x()},S=R=>{if(l===
-R)return x();x(),l=R,R>0&&o>=i.at_or_before(i.last)&&m(i.first),R<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(y,Kg),w(),r(R)},b=Vs("play","pl\
+R)return x();x(),l=R,R>0&&o>=i.at_or_before(i.last)&&m(i.first),R<0&&o<=i.first&&m(i.last),c=o,d=performance.now(),a=setInterval(y,jg),w(),r(R)},b=Vs("play","pl\
 ay",()=>S(1)),C=Vs("back","play backwards",()=>S(-1));function w(){for(let[R,P,I,F]of[[b,1,"play","play"],[C,-1,"back","play backwards"]]){let z=l===P;R.replaceChildren(
-jg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{x(),m(i.beside(o,R))};return u.addEventListener("input",()=>g(Number(u.
+Qg(z?"pause":I)),R.setAttribute("aria-label",z?"pause":F),R.title=z?"pause":F}}let _=R=>{x(),m(i.beside(o,R))};return u.addEventListener("input",()=>g(Number(u.
 value))),u.addEventListener("keydown",R=>{let P={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[R.key];P===void 0||R.ctrlKey||R.metaKey||
 R.altKey||(R.preventDefault(),R.stopPropagation(),_(R.shiftKey?10*P:P))}),f.addEventListener("change",()=>{g(Number(f.value)),f.value=o}),{bar:s?X("div",{className:"\
 player"},Vs("first","first step",()=>g(i.first)),C,Vs("less","one step back",()=>_(-1)),Vs("more","one step on",()=>_(1)),b,Vs("last","last step",()=>g(i.last)),
 h,u,f):X("div",{className:"player"},C,Vs("less","one step back",()=>_(-1)),Vs("more","one step on",()=>_(1)),b,u),slider:u,seek:g,move:_,play:S,stop:x,get step(){
-return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*Kg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
+return o},get direction(){return l},get stride(){return Math.max(1,Number(h.value)*jg/1e3/Math.max(e(),1e-9))},set_last(R){let P=o===i.last;return i.last=R,u.max=
 f.max=R,P},refresh:p}}function nh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
 l.movementX)+Math.abs(l.movementY),s.size===2){let c=r();s.set(l.pointerId,{x:l.clientX,y:l.clientY}),e.zoom(c/Math.max(1,r()))}else l.shiftKey||l.buttons!==1?e.
@@ -3918,64 +3918,64 @@ activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive
 i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key](l.shiftKey))})}function ih(i,e,t=!1){
 let n=i.map(a=>{let l=a.filter(c=>Number.isFinite(c)).sort((c,d)=>c-d);return l.length===0?[0,0]:[l[Math.floor(.05*(l.length-1))],l[Math.ceil(.95*(l.length-1))]]}),
 s=n[2][0];t&&s>2*e&&s<10*Math.max(e,...n.map(([a,l])=>l-a))&&(n[2][0]=0);let r=n.map(([a,l])=>(a+l)/2),o=Math.hypot(...n.map(([a,l])=>l-a));return{centre:r,radius:Math.
-max(o/2+Math.min(Math.max(e,.1),4),.001)}}var Ww=.07,Xw=.25;function wd(i,e){let t=new Gn,n=new Us(.5,.5,1,6).translate(0,.5,0),s=new ta(.5,1,10).translate(0,.5,0),r=new hs({color:i,depthTest:!1,transparent:!0,
-opacity:.9}),o=[];return{group:t,show(a,l){for(let x of o)t.remove(x),x.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(x=>new Is(x,r,a.length)),u=Ww*
-l,h=Vn([...a.map(x=>x.impulse),1e-30]),f=new V(0,1,0),p=new xt;a.forEach(({at:x,normal:m,impulse:g},y)=>{let S=u*Math.max(Xw,Math.sqrt(Math.max(0,g)/h)),b=new kn().
+max(o/2+Math.min(Math.max(e,.1),4),.001)}}var Xw=.07,$w=.25;function wd(i,e){let t=new Gn,n=new Us(.5,.5,1,6).translate(0,.5,0),s=new ta(.5,1,10).translate(0,.5,0),r=new hs({color:i,depthTest:!1,transparent:!0,
+opacity:.9}),o=[];return{group:t,show(a,l){for(let x of o)t.remove(x),x.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(x=>new Is(x,r,a.length)),u=Xw*
+l,h=Vn([...a.map(x=>x.impulse),1e-30]),f=new V(0,1,0),p=new xt;a.forEach(({at:x,normal:m,impulse:g},y)=>{let S=u*Math.max($w,Math.sqrt(Math.max(0,g)/h)),b=new kn().
 setFromUnitVectors(f,new V(...m).normalize()),C=new V(...x),w=u*.05*e;c.setMatrixAt(y,p.compose(C,b,new V(w,S*.7,w)));let _=new V(0,S*.7,0).applyQuaternion(b).add(
-C);d.setMatrixAt(y,p.compose(_,b,new V(w*3.4,S*.3,w*3.4)))});for(let x of o)x.frustumCulled=!1,x.renderOrder=3,t.add(x)}}}var Ad=40,$w=2;function qw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new io(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
-n}function Td(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Yw(i,e){let t={around:-.9,up:.45,distance:.82*
+C);d.setMatrixAt(y,p.compose(_,b,new V(w*3.4,S*.3,w*3.4)))});for(let x of o)x.frustumCulled=!1,x.renderOrder=3,t.add(x)}}}var Ad=40,qw=2;function Yw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new io(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+n}function Td(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Zw(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(Ad/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function sh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Xc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-$w));let{radius:o}=t,a=new $o,l=new On(Ad,1,o/200,o*200);l.up.set(0,0,1);let c=new ro("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new ro("#ffffff",.7);if(d.position.
+qw));let{radius:o}=t,a=new $o,l=new On(Ad,1,o/200,o*200);l.up.set(0,0,1);let c=new ro("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new ro("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new la("#ffffff","#c9d1da",1.9),c,d),s){let _=new fa(8*o,40,e.line,e.line);_.rotation.x=Math.PI/2,_.position.set(t.centre[0],t.centre[1],0),
-a.add(_)}let u=Yw(o,n);u.centre.set(...t.centre);let h=[],f=new Gn;a.add(f);let p=[wd(e.contact,1),wd(e.expected,.7)];for(let{group:_}of p)a.add(_);let x=new Map,
+a.add(_)}let u=Zw(o,n);u.centre.set(...t.centre);let h=[],f=new Gn;a.add(f);let p=[wd(e.contact,1),wd(e.expected,.7)];for(let{group:_}of p)a.add(_);let x=new Map,
 m=!1,g=!1,y=0,S=()=>{let _=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*_;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
 u.centre.z+_*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>m&&h.length===2?2:1,C=()=>{cancelAnimationFrame(y),y=0,g=!0;let _=r.getSize(new st),M=b();l.aspect=_.x/M/
 Math.max(1,_.y),l.updateProjectionMatrix(),S(),r.setScissorTest(M===2);for(let R=0;R<M;++R){let P=Math.round(R*_.x/M);r.setViewport(P,0,_.x/M,_.y),r.setScissor(
 P,0,_.x/M,_.y),h.forEach((I,F)=>{I.group.visible=M===1||F===R}),p.forEach(({group:I},F)=>{I.visible=M===1||F===R});for(let{session:I,line:F}of x.values())F.visible=
-M===1||I===R;r.render(a,l)}},w=()=>{y||=requestAnimationFrame(C)};return{view:u,draw:w,draw_now:C,add_session(_,M){let R=Zg(_,M,e);return h.push(R),a.add(R.group),
+M===1||I===R;r.render(a,l)}},w=()=>{y||=requestAnimationFrame(C)};return{view:u,draw:w,draw_now:C,add_session(_,M){let R=Jg(_,M,e);return h.push(R),a.add(R.group),
 {describe(P){R.describe(P),w()},show(P,I){R.show(P,I),w()}}},set_side_by_side(_){m=_,h[1]?.set_ghost(!_),w()},set_lines(_,M){if(x.has(_)&&Td(x.get(_).line),x.delete(
 _),M&&M.points.length>0){let{points:R,colour:P,dash:I,on_top:F}=M,z={color:P,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=I?new ra({...z,dashSize:I,gapSize:.7*
-I}):new Ns(z),G=qw(R,D);G.renderOrder=F?2:1,f.add(G),x.set(_,{line:G,session:M.session??0})}w()},set_arrows(_,M=0){p[M].show(_,u.distance),w()},pick(_,M){let R=b(),
+I}):new Ns(z),G=Yw(R,D);G.renderOrder=F?2:1,f.add(G),x.set(_,{line:G,session:M.session??0})}w()},set_arrows(_,M=0){p[M].show(_,u.distance),w()},pick(_,M){let R=b(),
 P=Math.min(R-1,Math.floor(_*R));S(),l.updateMatrixWorld();let I=new ua;I.setFromCamera(new st(2*(_*R-P)-1,1-2*M),l);let F=h.flatMap((z,D)=>R===2&&D!==P?[]:z.hits(
 I).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(_,M){u.around+=_,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),w()},zoom(_){
 u.distance=Math.min(40*o,Math.max(o/100,u.distance*_)),w()},pan(_,M){S(),l.updateMatrixWorld();let R=2*u.distance*Math.tan(Ad/2*Math.PI/180),P=new V().setFromMatrixColumn(
 l.matrixWorld,0).multiplyScalar(-_*R);u.centre.add(P.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*R))),w()},look_at(_){u.centre.set(..._),w()},
 resize(_,M){let R=r.getSize(new st);R.x===_&&R.y===M||(r.setSize(_,M,!1),g?C():w())},dispose(){for(let _ of h)Td(_.group);Td(f),a.traverse(_=>{_.geometry?.dispose(),
-_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Cd=2,Zw=.05,Rd=40,Jw=.15,Gs=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Kw(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Gs(n,o),l=Gs(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function jw(i,e){
-let t=Vn([0,...e.flat()]);return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Cd,Zw*Math.min(t,r>0?r:t))})}function Qg(i,e,t){
-let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:Jg(n,r=>{let o=t?.slice(4*r,4*r+
-4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=Gs(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}function e0(i,e,t){
+_.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Cd=2,Jw=.05,Rd=40,Kw=.15,Gs=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function jw(i){let{actual_mm:e,expected_mm:t}=i.
+frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Gs(n,o),l=Gs(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Qw(i,e){
+let t=Vn([0,...e.flat()]);return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Cd,Jw*Math.min(t,r>0?r:t))})}function e0(i,e,t){
+let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:Kg(n,r=>{let o=t?.slice(4*r,4*r+
+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=Gs(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}function t0(i,e,t){
 let n=i.bodies.id.map((o,a)=>Vn(t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Rd),r=[];for(let o of s)for(let a=1;a<e.length;++a){let l=Gs(
 e[a-1],o),c=Gs(e[a],o);l&&c&&r.push(...l,...c)}return r}var Ed=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox="0 0 36 16" aria-hidde\
-n="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Qw(){return X("p",{},Ed('<path d="M0 8H36" stroke="var(--actual)"/><rect x="1\
+n="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function e1(){return X("p",{},Ed('<path d="M0 8H36" stroke="var(--actual)"/><rect x="1\
 2" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),Ed('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"/>\n      <path d="M18 1\
-l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),Ed('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function e1(i,e,t){
+l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),Ed('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function t1(i,e,t){
 let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.id.filter((c,d)=>!Gs(i.frames.actual_mm[t],
 d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a place (gone, or not finite)");if(n.length===0)return"".
 concat(s,": nothing to compare here").concat(o);let a=n.reduce((c,d)=>d.value>c.value?d:c),l=n.filter(({value:c})=>c>Cd).length;return l===0?"".concat(s,": ever\
 y body within ").concat(Cd," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length," bodies elsewhere, the furthest is body\
- ").concat(a.id,", ")+"".concat(An(a.value/1e3)," away").concat(o)}function t1(i){return{count:i.bodies.id.length,body:e=>({shape:"box",size:i.bodies.size.slice(
-3*e,3*e+3)})}}function n1(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(s=>s.filter((r,o)=>o%3===n&&r!==
+ ").concat(a.id,", ")+"".concat(An(a.value/1e3)," away").concat(o)}function n1(i){return{count:i.bodies.id.length,body:e=>({shape:"box",size:i.bodies.size.slice(
+3*e,3*e+3)})}}function i1(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(s=>s.filter((r,o)=>o%3===n&&r!==
 null)).map(s=>s/1e3));return ih(t,Vn([...i.bodies.size,.1]))}var Pd=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,apart:n,frame:0,stage:null,last_view:null}),
-this.limits=jw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100px"}).observe(e)}open(){if(this.stage)return;
+this.limits=Qw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100px"}).observe(e)}open(){if(this.stage)return;
 let e=X("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, with Shift th\
-ey move it, + and - zoom."),this.place.replaceChildren(e);let t=Qi(),n=n1(this.data);try{this.stage=sh(e,{hue:t,box:n})}catch{this.place.textContent="This brows\
+ey move it, + and - zoom."),this.place.replaceChildren(e);let t=Qi(),n=i1(this.data);try{this.stage=sh(e,{hue:t,box:n})}catch{this.place.textContent="This brows\
 er has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.last_view),this.actual=this.stage.
-add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])s.describe(t1(this.data));this.stage.
-set_lines("actual",{points:e0(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expected",{points:e0(this.data,this.data.
+add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])s.describe(n1(this.data));this.stage.
+set_lines("actual",{points:t0(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expected",{points:t0(this.data,this.data.
 frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),nh(e,this.stage),this.resize(),this.show(this.frame)}close(){this.stage&&(this.last_view={...this.
 stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{frames:t,bodies:n}=this.data,s=o=>this.
-apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Qg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.offsetHSL(0,0,.035*(o%5-2))}),
-this.expected.show(Qg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=Gs(t.actual_mm[e],a),c=Gs(t.expected_mm[e],a);return l&&c&&!s(
+apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(e0(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.offsetHSL(0,0,.035*(o%5-2))}),
+this.expected.show(e0(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=Gs(t.actual_mm[e],a),c=Gs(t.expected_mm[e],a);return l&&c&&!s(
 a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:Qi().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.place;
-e>0&&this.stage?.resize(e,t)}};function t0(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Kw(e),r=X("div",{className:"view\
-3d"}),o=X("output"),a=new Pd(r,e,s),l=th({steps:new cr(0,n),dt:()=>Jw,full:!1,show:d=>{let u=e1(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.show(
-d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Qw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
+e>0&&this.stage?.resize(e,t)}};function n0(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=jw(e),r=X("div",{className:"view\
+3d"}),o=X("output"),a=new Pd(r,e,s),l=th({steps:new hr(0,n),dt:()=>Kw,full:!1,show:d=>{let u=t1(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.show(
+d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),e1(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
 Drag or use the arrow keys to turn, + and - to zoom. "+"Lines: the ways of ".concat(e.bodies.id.length>Rd?"the ".concat(Rd," of ").concat(e.bodies.id.length," b\
 odies that went furthest astray"):"the bodies",".")}));let c=s.map(d=>Vn(d.map(u=>u??0)));return l.seek(c.indexOf(Vn(c))),l.refresh(),{resize:()=>a.resize(),redraw(){
-a.close(),a.open()}}}var n0=5e-4,i0=24,oh=50,i1={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},s0=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
+a.close(),a.open()}}}var i0=5e-4,s0=24,oh=50,s1={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},r0=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
 .75,.5),rh=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:[null,null],with_contacts:!1,
 with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,ways_said:[],top_speed:1,focus:null}),this.open()}open(){let e=X("canvas",{tabIndex:0});
 e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, with Shift they move it, + and - zoom."),this.
@@ -3994,80 +3994,81 @@ place_of(0,e),this.place_of(1,e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2
 status!==0||n.status!==0||t.step!==n.step)return new Set;let{bodies:s}=this.sessions[1-e],r=a=>{let l=s.row(a);return l!==void 0&&l<n.rows&&n.mark[l]!==ms},o=this.
 sessions[e].bodies.json.id.filter((a,l)=>l<t.rows&&t.mark[l]!==ms&&!r(a));return new Set(o)}only_in_words(){return["A","B"].flatMap((e,t)=>{let n=this.only_in(t).
 size;return n===0?[]:["".concat(n," bod").concat(n===1?"y":"ies"," only in ").concat(e)]})}colour_of(e,t){let{bodies:n}=e,s=this.only_in(this.sessions.indexOf(e));
-return(r,o)=>{let a=n.id(r);if(a===this.selected)return o.set(this.hue.select);if(s.has(a))return o.set(this.hue.bad);if(this.paint==="speed")return s0(t.speed[r]/
-this.top_speed,o);if(this.paint==="apart")return s0(Math.log10(Math.max(1e-9,this.apart(a)??0)/1e-9)/9,o);let l=t.mark[r]===Yg;return this.paint==="state"?o.set(
-n.is_static(r)?this.hue.soft:l?this.hue.asleep:this.hue.actual):(o.set(i1[n.texture(r)]??this.hue.actual),l&&o.offsetHSL(0,-.12,-.05)),o.offsetHSL(0,0,.022*(r%5-
+return(r,o)=>{let a=n.id(r);if(a===this.selected)return o.set(this.hue.select);if(s.has(a))return o.set(this.hue.bad);if(this.paint==="speed")return r0(t.speed[r]/
+this.top_speed,o);if(this.paint==="apart")return r0(Math.log10(Math.max(1e-9,this.apart(a)??0)/1e-9)/9,o);let l=t.mark[r]===Zg;return this.paint==="state"?o.set(
+n.is_static(r)?this.hue.soft:l?this.hue.asleep:this.hue.actual):(o.set(s1[n.texture(r)]??this.hue.actual),l&&o.offsetHSL(0,-.12,-.05)),o.offsetHSL(0,0,.022*(r%5-
 2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<oh;++s){if(t.mark[s]!==eh)continue;let r=e.bodies.id(s),o="".concat(this.sessions.indexOf(e)," ").concat(
 r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;l.step.forEach((d,u)=>{let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===
 null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.lost_places.get(o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(
 s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],o=r&&r.status===0?r:null,a=o?{colour:this.colour_of(n,o),lost:this.
 lost_in(n,o)}:{};if(o&&s===1&&!this.side_by_side){let l=this.only_in(1);a.colour=(c,d)=>{let u=n.bodies.id(c);return(u===this.selected||l.has(u))&&d.set(u===this.
-selected?this.hue.select:this.hue.bad)},a.hidden=c=>(this.apart(n.bodies.id(c))??1)<n0}this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)
-for(let n of this.sessions[0].bodies.json.id)(this.apart(n)??0)>=n0&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,
+selected?this.hue.select:this.hue.bad)},a.hidden=c=>(this.apart(n.bodies.id(c))??1)<i0}this.bodies[s].show(o,a)});let e=[];if(this.sessions.length===2&&!this.side_by_side)
+for(let n of this.sessions[0].bodies.json.id)(this.apart(n)??0)>=i0&&e.push(...this.place_of(0,n),...this.place_of(1,n));this.stage.set_lines("links",{points:e,
 colour:this.hue.bad,on_top:!0}),this.show_contacts();let t=this.following&&this.selected!==null?this.place_of(0,this.selected)??this.place_of(1,this.selected):null;
 t&&this.stage.look_at(t),this.stage.draw()}show_contacts(){this.sessions.forEach((e,t)=>this.show_contacts_of(t))}show_contacts_of(e){let t=this.contacts[e],s=t&&
 this.frames[e]&&t.step===this.frames[e].step?t.rows??[]:[],r=([l,c])=>l===this.selected||c===this.selected,a=(this.selected!==null?s.filter(r):this.with_contacts?
 s:[]).filter(l=>l[9]>0&&!l.includes(null));this.stage.set_arrows(a.map(l=>{let c=l[7]<0?-1:1;return{at:l.slice(2,5),normal:l.slice(5,8).map(d=>c*d),impulse:l[9]}}),
 e)}ways_chosen(){if(this.selected!==null)return{ids:[this.selected],said:[]};let{bodies:e}=this.sessions[0],t=[...e.json.id.keys()].filter(a=>!e.is_static(a)),n=t.
-filter(a=>e.name(a)==="thrown"),s=n.length>0?n:t,r=n.length>0?1:Math.max(1,Math.ceil(t.length/i0)),o=s.filter((a,l)=>l%r===0).slice(0,i0).map(a=>e.id(a));return{
+filter(a=>e.name(a)==="thrown"),s=n.length>0?n:t,r=n.length>0?1:Math.max(1,Math.ceil(t.length/s0)),o=s.filter((a,l)=>l%r===0).slice(0,s0).map(a=>e.id(a));return{
 ids:o,said:o.length<s.length?["ways of ".concat(o.length," of ").concat(s.length," bodies").concat(n.length>0?" thrown in":"")]:[]}}ways_words(){return this.with_ways?
 this.ways_said:[]}async show_ways(){if(!this.stage)return;let{ids:e,said:t}=this.with_ways||this.selected!==null?this.ways_chosen():{ids:[],said:[]};this.ways_said=
 t;let n=await Promise.all(this.sessions.map(async s=>{let r=[];for(let o of e){if(s.bodies.row(o)===void 0)continue;let a=await s.way(o);for(let l=1;l<a.step.length;++l){
 let c=a.at.slice(3*l-3,3*l+3);c.includes(null)||r.push(...c)}}return r}));this.stage&&(this.stage.set_lines("ways A",{points:n[0],colour:this.hue.way,opacity:.9}),
 this.stage.set_lines("ways B",n[1]?{points:n[1],colour:this.hue.expected,dash:this.box.radius/40,session:1}:null))}resize(){let{clientWidth:e,clientHeight:t}=this.
-place;e>0&&this.stage?.resize(e,t)}};var hr=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function s1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[hr(e.engine??"method ".concat(
-e.method)),hr("".concat(s," step").concat(s===1?"":"s")),hr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),hr("".concat(t.count," bod").concat(t.count===
-1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(hr("damaged","fail")):r.push(hr(i.thin?"not finished: shown to its last chunk":"not finis\
-hed: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(hr("bodies lost","fail")),r}function r1(i){let e=[],t=i.sessions.length===2;i.sessions.forEach(
-(s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,x]of s.gaps())e.push(
-["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.
-push(["fail","".concat(o,"The timeline was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the engine has other axes (").concat(a.axes,"); this \
-page shows places in m, z up").concat(t?", and names the first difference by the engine's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(
-l.steps.length," of ").concat(a.last-a.first+1," states").concat(l.every<a.last-a.first?" (one in ".concat(l.every,", and those of inputs)"):""):s.gaps().length>
-0?"has every state that could be read":"has every state",u=s.rows.without_contacts()?"":", with the contacts of ".concat(l.contact_steps," state").concat(l.contact_steps===
-1?"":"s"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,
-", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts\
- begun are counted no further: ".concat(n)]),e}function r0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"\
-trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{
-let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.
-replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.
-head.title})]:[],...s1(l)])),n.replaceChildren(...r1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){
-s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var o1=12,Hs=i=>String(typeof i=="number"?i:i??"\u2013"),gs=(i,e="")=>X("td",{textContent:i,className:e}),ur=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
-let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Ws(i,{
+place;e>0&&this.stage?.resize(e,t)}};var Hs=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function r1(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[Hs(e.engine??"method ".concat(
+e.method)),Hs("".concat(s," step").concat(s===1?"":"s")),Hs("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),Hs("".concat(t.count," bod").concat(t.count===
+1?"y":"ies"))];return e.finished?(!e.sound||i.gaps().length>0)&&r.push(Hs("damaged","fail")):r.push(Hs(i.thin?"not finished: shown to its last chunk":"not finis\
+hed: followed to its last chunk","warn")),e.cut_short&&r.push(Hs("cut short","warn")),n.lost.some(o=>o>0)&&r.push(Hs("bodies lost","fail")),r}function o1(i){let e=[],
+t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&a.finished&&e.push(["fail","".concat(o).concat(
+a.summary)]),a.cut_short&&e.push(["warn","".concat(o,"The session may have gone on: ").concat(a.cut_short)]);for(let[f,p,x]of s.gaps())e.push(["fail","".concat(
+o,"steps ").concat(f," to ").concat(p,": ").concat(x)]);if(s.note&&e.push(["fail","".concat(o).concat(s.note)]),s.unread&&s.unread!==s.note&&e.push(["fail","".concat(
+o,"The timeline was not read: ").concat(s.unread)]),a.axes&&e.push(["","".concat(o,"the engine has other axes (").concat(a.axes,"); this page shows places in m,\
+ z up").concat(t?", and names the first difference by the engine's axes":"")]),!l)return;let c=l.every>1,d=c?"is thinned: it has ".concat(l.steps.length," of ").
+concat(a.last-a.first+1," states").concat(l.every<a.last-a.first?" (one in ".concat(l.every,", and those of inputs)"):""):s.gaps().length>0?"has every state tha\
+t could be read":"has every state",u=s.rows.without_contacts()?"":", with the contacts of ".concat(l.contact_steps," state").concat(l.contact_steps===1?"":"s"),
+h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded\
+ to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are\
+ counted no further: ".concat(n)]),e}function o0(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});
+s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(
+l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap(
+(l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],
+...r1(l)])),n.replaceChildren(...o1(i).map(([l,c])=>X("p",{className:l,textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===
+null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var a1=12,Ws=i=>String(typeof i=="number"?i:i??"\u2013"),gs=(i,e="")=>X("td",{textContent:i,className:e}),ur=(...i)=>X("tr",{},...i);function Pn(i,e,t="",n=null){
+let s=X("button",{type:"button",className:"link",textContent:i,title:t});return n!==null&&s.setAttribute("aria-label",n),s.addEventListener("click",e),s}function Xs(i,{
 open:e=!0,id:t=""}={}){let n=X("div",{className:"inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}
-function a1(i,e,t,n){let s=[],r=i.map(({field:o,value:a,channel:l,with:c})=>{let d=c===null?o:"".concat(o," with ").concat(t.label(c)),u=gs("","number");if(l!==
+function l1(i,e,t,n){let s=[],r=i.map(({field:o,value:a,channel:l,with:c})=>{let d=c===null?o:"".concat(o," with ").concat(t.label(c)),u=gs("","number");if(l!==
 null&&n){let h=X("button",{type:"button",className:"link",textContent:"plot"}),f=()=>h.setAttribute("aria-pressed",String(n.has(l,e,c??0)));h.setAttribute("aria\
 -label","plot ".concat(d," in the timeline")),h.addEventListener("click",()=>{n.flip(l,e,c??0);for(let p of s)p()}),s.push(f),f(),u.append(h)}return ur(X("th",{
 scope:"row",textContent:d}),gs(a,"number"),u)});return X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbo\
-dy",{},...r)))}function a0(i,{id:e,label:t,name:n,shape:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2,u=r.find(m=>m.why_not),h=X(
+dy",{},...r)))}function l0(i,{id:e,label:t,name:n,shape:s,answers:r,actions:o,bodies:a,plots:l=null,asked:c=null}){let d=r.length===2,u=r.find(m=>m.why_not),h=X(
 "table",{className:"numbers",ariaLabel:"values of ".concat(t)});h.append(X("thead",{},ur(X("th",{scope:"col",textContent:"field",colSpan:d?2:1}),X("th",{scope:"\
 col",textContent:"value",className:"number"}))));let f=r.find(m=>m.fields);for(let[m,{field:g}]of(f?.fields??[]).entries()){let y=r.map(C=>C.fields?.[m]),S=y.map(
-C=>C?.hex??String(C?.value)),b=y.map((C,w)=>{let _=gs("","number");C&&c?_.append(Pn(Hs(C.value),()=>c(g),"".concat(C.hex??""," \u2013 where does it come from?"),
-"".concat(g," ").concat(Hs(C.value),": where does it come from?"))):_.textContent=Hs(C?.value),C?.hex&&(_.title=C.hex);let M=w>0?[]:[X("th",{scope:d?"rowgroup":
+C=>C?.hex??String(C?.value)),b=y.map((C,w)=>{let _=gs("","number");C&&c?_.append(Pn(Ws(C.value),()=>c(g),"".concat(C.hex??""," \u2013 where does it come from?"),
+"".concat(g," ").concat(Ws(C.value),": where does it come from?"))):_.textContent=Ws(C?.value),C?.hex&&(_.title=C.hex);let M=w>0?[]:[X("th",{scope:d?"rowgroup":
 "row",rowSpan:r.length,textContent:g})];d&&M.push(X("th",{scope:"row",textContent:"AB"[w]}));let R=ur(...M,_);return R.classList.toggle("differs",S.length===2&&
 S[0]!==S[1]),R});h.append(X("tbody",{className:d?"pair":""},...b))}let p=[...t.includes(n)||s.startsWith(n)?[]:[n],s];if(f&&p.push(f.frozen?"asleep":"awake"),r.
 filter(m=>m.fields).length===1&&d&&r.some(({absent:m})=>m)&&p.push("only in ".concat(f===r[0]?"A":"B")),i.replaceChildren(X("p",{},X("strong",{textContent:t.replace(
-/^body /,"Body ")})," ".concat(p.join(" \xB7 "))),o),f&&i.append(X("div",{className:"scroll"},h)),f?.channels?.length>0){i.append(a1(f.channels,e,a,l));let m=f.
+/^body /,"Body ")})," ".concat(p.join(" \xB7 "))),o),f&&i.append(X("div",{className:"scroll"},h)),f?.channels?.length>0){i.append(l1(f.channels,e,a,l));let m=f.
 channels.filter(({with:g})=>g!==null).length;f.pairs>m&&i.append(X("p",{className:"soft",textContent:"".concat(m," of ").concat(f.pairs," values of pairs are li\
 sted; tumble dump has all of them.")}))}u&&i.append(X("p",{className:"soft",textContent:"".concat(d?"".concat(r.indexOf(u)===0?"A":"B",": "):"").concat(u.why_not)})),
-f?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; tumble dump prints every bit."}))}function l0(i,e,{selected:t,bodies:n,select:s,
+f?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; tumble dump prints every bit."}))}function c0(i,e,{selected:t,bodies:n,select:s,
 go:r}){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(X("p",{className:"soft",textContent:e.why_not})),
 e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",Pn("step ".concat(e.near),()=>r(e.near))));return}let o=e.rows.filter(([h,f])=>t===
-null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,o1),l="".concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":
+null||h===t||f===t),a=[...o].sort((h,f)=>(f[9]??0)-(h[9]??0)).slice(0,a1),l="".concat(o.length," contact point").concat(o.length===1?"":"s").concat(t===null?"":
 " of ".concat(n.label(t))),c=o.reduce((h,f)=>Math.max(h,f[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".concat(l).concat(o.length>0?", deepest ".concat(An(
 c)):"")})),a.length===0)return;let d=X("tbody",{},...a.map(h=>{let f=gs(""),p=x=>Pn(n.short(x),()=>s(x),"",n.label(x));return f.append(p(h[0])," \u2013 ",h[1]===
 0?"ground":p(h[1])),ur(f,gs("".concat(Number((h[9]??0).toPrecision(3))," N s"),"number"),gs(An(h[8]),"number"))})),u=X("table",{className:"numbers",ariaLabel:"c\
 ontacts, the strongest first"},X("thead",{},ur(X("th",{scope:"col",textContent:"bodies"}),X("th",{scope:"col",textContent:"impulse",className:"number"}),X("th",
 {scope:"col",textContent:"depth",className:"number"}))),d);i.append(X("div",{className:"scroll"},u)),o.length>a.length&&i.append(X("p",{className:"soft",textContent:"\
-The ".concat(a.length," strongest are listed.")}))}function c0(i,e,t,n,s,r){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"Taking the steps\
+The ".concat(a.length," strongest are listed.")}))}function h0(i,e,t,n,s,r){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"Taking the steps\
  again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"soft",textContent:e.why_not}));let o=X("p",{},Pn(t.label(e.body).replace(/^body /,"Bod\
-y "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(Hs(e.value)," ").concat(e.unit)),a=X("ol",{className:"blame"},...e.answers.map(
+y "),()=>s(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(Ws(e.value)," ").concat(e.unit)),a=X("ol",{className:"blame"},...e.answers.map(
 l=>{let c=l.substep===null?l.phase:"".concat(l.phase,", substep ").concat(l.substep),d=X("li",{},Pn("step ".concat(l.step),()=>n(l.step))," \xB7 ",X("strong",{textContent:c}),
 X("p",{textContent:l.text}));return l.shares.length>0&&d.append(X("ul",{className:"shares"},...l.shares.map(u=>{let h=X("li",{},"".concat(u.kind));return u.kind===
-"contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.label(u.with),()=>s(u.with))),h.append(": ".concat(Hs(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(
+"contact"&&h.append(" with ",u.with===null?"the ground":Pn(t.label(u.with),()=>s(u.with))),h.append(": ".concat(Ws(u.amount)," ").concat(l.unit)),h}))),d}));i.replaceChildren(
 o,a),e.ends&&i.append(X("p",{className:"soft",textContent:e.ends}));for(let l of e.notes??[])i.append(X("p",{className:"soft",textContent:l}));if(!e.complete){let l=X(
-"button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(e.answers.length+5)),i.append(X("p",{},l))}}var o0=(i,e)=>"".concat(Hs(i)).
-concat(e?" (".concat(e,")"):"");function l1(i,e){if(i.why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.
+"button",{type:"button",textContent:"Further back"});l.addEventListener("click",()=>r(e.answers.length+5)),i.append(X("p",{},l))}}var a0=(i,e)=>"".concat(Ws(i)).
+concat(e?" (".concat(e,")"):"");function c1(i,e){if(i.why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.
 rows.map(s=>{let r=gs("","number");s.step===null?r.textContent="never":r.append(Pn(String(s.step),()=>e(s.step),"","step ".concat(s.step)));let o=ur(X("th",{scope:"\
 row",textContent:s.phase}),r,gs(s.step===null?"":String(s.substep),"number"),gs(String(s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),
 o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("table",{className:"numbers phases"},X("caption",{textContent:"Phases in wh\
@@ -4075,71 +4076,72 @@ ich the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},ur
 t))}function Id(i){if(!i||i.state==="working")return"";if(i.state==="failed")return i.why;let{first:e}=i;if(!e){let[n,s]=i.last;return i.identical?"Identical: ".
 concat(i.steps," steps, the same in ").concat(i.every_bit,"."):n===s?"Different: ".concat(i.unequal,"; the ").concat(i.steps," steps of both are the same in all\
  else that was compared."):"The ".concat(i.steps," steps of both are the same; A ends with step ").concat(n,", B with step ").concat(s,".")}let t=["step ".concat(
-e.step),"phase ".concat(e.phase)];return e.substep!==null&&t.push("substep ".concat(e.substep)),"First difference: ".concat(t.join(", "))}function h0(i,e,t,n,s){
+e.step),"phase ".concat(e.phase)];return e.substep!==null&&t.push("substep ".concat(e.substep)),"First difference: ".concat(t.join(", "))}function u0(i,e,t,n,s){
 if(!e||e.state==="working"){let l=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(
 l," \u2026")}))}let r=Id(e);if(e.state==="failed")return i.replaceChildren(X("p",{className:"bad",textContent:r}));let o=[],a=e.first;if(!a)o.push(X("p",{className:e.
 identical?"good":"bad",textContent:r})),o.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"soft",textContent:"No\
 t compared: ".concat((e.not_compared??[]).join("; "),".")}));else{o.push(X("p",{},X("strong",{textContent:r}))),e.cause&&o.push(X("p",{textContent:"Cause: ".concat(
 e.cause)}));let l=e.effect??a,c=l.step!==a.step,d=X("p",{className:"effect"});(c||l.phase!==a.phase)&&d.append("Effect: ",Pn("step ".concat(l.step),()=>n(l.step)),
 ", phase ".concat(l.phase,", ")),l.body!==null&&d.append(Pn(t(l.body),()=>s(l.body)),", "),l.field==="body"?d.append("only in ".concat(l.actual===null?"A":"B")):
-d.append("".concat(l.field,": ").concat(o0(l.expected,l.expected_hex)," \u2192 ").concat(o0(l.actual,l.actual_hex)));let u=l.ulps>Number.MAX_SAFE_INTEGER?"about\
+d.append("".concat(l.field,": ").concat(a0(l.expected,l.expected_hex)," \u2192 ").concat(a0(l.actual,l.actual_hex)));let u=l.ulps>Number.MAX_SAFE_INTEGER?"about\
  ".concat(l.ulps.toPrecision(3)):l.ulps;u!==null&&d.append(", ".concat(u," ").concat(u===1?"ULP":"ULPs"," apart")),o.push(d);let h=X("button",{type:"button",className:"\
 jump",textContent:"Go to the first difference"});if(h.addEventListener("click",()=>n(a.step)),o.push(X("p",{},h)),c){let p=X("button",{type:"button",className:"\
 jump",textContent:"Go to the first state that differs"});p.addEventListener("click",()=>n(l.step)),o.at(-1).append(" ",p)}let f=e.aftermath?.marks??[];f.length>
 0?o.push(X("ul",{className:"marks"},...f.map(({above:p,step:x,body:m})=>X("li",{},"more than ".concat(An(p)," apart from "),Pn("step ".concat(x),()=>n(x)),", ",
-Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(l1(
-e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var c1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+Pn(t(m),()=>s(m)))))):e.growth_unknown&&o.push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&o.push(c1(
+e.partings,n))}for(let l of e.notes??[])o.push(X("p",{className:"soft",textContent:l}));return i.replaceChildren(...o)}var h1=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d  D","the first difference, the first state that differs"],["/","search"],["n  N","ne\
 xt run of steps found, the one before"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in \
-the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function u0(i,e){let{inputs:t,gaps:n,first_difference:s,
+the view: turn, with Shift move; zoom. Drag turns, with Shift moves; the wheel zooms once the view has the focus"]];function d0(i,e){let{inputs:t,gaps:n,first_difference:s,
 first_effect:r}=i.marks(),o=[...i.sessions[0].rows.breaks(),...t.map(({step:c})=>c),...n.flatMap(([c,d])=>[c,d])];o.push(...[s,r].filter(c=>c!==null));let{step:a}=i.
-player,l=o.filter(c=>e>0?c>a:c<a).sort((c,d)=>e*(c-d));l.length>0&&i.player.seek(l[0])}function d0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.
+player,l=o.filter(c=>e>0?c>a:c<a).sort((c,d)=>e*(c-d));l.length>0&&i.player.seek(l[0])}function f0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:()=>i.
 player.play(-1),k:()=>i.player.stop(),l:()=>i.player.play(1),ArrowLeft:s=>i.player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.
-first),End:()=>i.player.seek(i.steps.last),"[":()=>u0(i,-1),"]":()=>u0(i,1),d:()=>i.go_to_first_difference(),D:()=>i.go_to_first_effect(),"/":()=>i.search.focus(),
+first),End:()=>i.player.seek(i.steps.last),"[":()=>d0(i,-1),"]":()=>d0(i,1),d:()=>i.go_to_first_difference(),D:()=>i.go_to_first_effect(),"/":()=>i.search.focus(),
 n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener("keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||
 s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.key===" "||s.key==="Enter"))return;let o=e[s.key]??
-(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Ws("Keys",{open:!1});return n.append(X("dl",{className:"key\
-s"},...c1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Ld=i=>i==null?"\u2013":String(i),f0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),Nd=(i,e,t=6)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
-Number(i.toPrecision(t))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),h1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
-"\u2013",p0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:h1,top:i=>Vn([1,...u1(i.bodies)])},{name:"contacts",kind:"line",of:(i,e)=>i.
+(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Xs("Keys",{open:!1});return n.append(X("dl",{className:"key\
+s"},...h1.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var Ld=i=>i==null?"\u2013":String(i),p0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),Nd=(i,e,t=6)=>i===null?"\u2013":Number.isFinite(i)?"".concat(
+Number(i.toPrecision(t))).concat(e?" ".concat(e):""):"".concat(i<0?"\u2212":"","infinite"),u1=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(i.bodies[e]):
+"\u2013",d1=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:u1,top:i=>Vn([1,...p1(i.bodies)])},{name:"contacts",kind:"line",of:(i,e)=>i.
 contacts_told(e),words:(i,e)=>Ld(i.contacts_told(e)),late:!0},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>Ld(i.begun[e]),late:!0},
 {name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Lo(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Lo(
-i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(f0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):
-f0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>An(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,
-words:(i,e)=>Ld(i.lost[e]),bad:!0,only_if_any:!0}];function u1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var m0=i=>i.map((e,t)=>({
+i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(p0(i.speed[e]),", ").concat(i.label(i.speed_body[e])):
+p0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>An(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,
+words:(i,e)=>Ld(i.lost[e]),bad:!0,only_if_any:!0}],f1={name:"collisions resolved",title:"collisions resolved in all substeps of a step"},m0=i=>d1.map(e=>e.name===
+"contacts"&&i.counts_collisions?{...e,...f1}:e);function p1(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var g0=i=>i.map((e,t)=>({
 name:e,kind:"line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.
 broken[s]??null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Nd(o,"",4),", ").concat(r?"\u2715 broken":"\u2713 holds")}})),
-g0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>Nd(s(a,l),t),o=n==="step"?"":", largest of ".concat(n);return{
-name:"".concat(e).concat(o),kind:"line",fit:!0,parts:!0,title:"channel ".concat(e).concat(o),of:s,words:r}});function _0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<
+_0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>Nd(s(a,l),t),o=n==="step"?"":", largest of ".concat(n);return{
+name:"".concat(e).concat(o),kind:"line",fit:!0,parts:!0,title:"channel ".concat(e).concat(o),of:s,words:r}});function x0(i,e,t){let n=new Map,s=(o,a)=>{for(;n.size<
 t.step.length;)n.set(t.step[n.size],t.value[n.size]);return n.get(o.step[a])??null},r=(o,a)=>Nd(s(o,a),e);return{name:i,kind:"line",fit:!0,parts:!0,title:"chann\
-el ".concat(i),of:s,words:r}}function x0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.
-get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var y0=8,ah=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
+el ".concat(i),of:s,words:r}}function y0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.
+get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":An(i.metres[s])}}}var v0=8,ah=class{constructor(e){this.page=e,this.chosen=new Map}key(e,t,n){return"".concat(e," ").concat(Math.min(t,n||t)," ").concat(n?Math.max(t,n):0)}has(e,t,n){
 return this.chosen.has(this.key(e,t,n))}lanes(){return[...this.chosen.values()].map(({lane:e})=>e)}flip(e,t,n){let s=this.key(e,t,n);if(!this.chosen.delete(s)){
 let[{rows:r,bodies:o}]=this.page.sessions,{name:a,unit:l}=r.channel_heads[e],c=n?"".concat(o.label(t)," and ").concat(o.label(n)):o.label(t),d={step:[],value:[]};
-if(this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:_0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>y0){let[[u,{lane:h}]]=this.chosen;this.chosen.delete(
-u),this.page.tell("".concat(y0," channels are plotted at most; gone is ").concat(h.title))}this.read(s)}this.page.set_lanes()}async read(e){let{channel:t,a:n,b:s,
+if(this.chosen.set(s,{channel:e,a:t,b:n,history:d,lane:x0("".concat(a," of ").concat(c),l,d)}),this.chosen.size>v0){let[[u,{lane:h}]]=this.chosen;this.chosen.delete(
+u),this.page.tell("".concat(v0," channels are plotted at most; gone is ").concat(h.title))}this.read(s)}this.page.set_lanes()}async read(e){let{channel:t,a:n,b:s,
 history:r}=this.chosen.get(e),o=a=>(Object.assign(r,{step:a.step,value:a.value}),this.page.timeline.draw(),this.chosen.has(e));try{o(await this.page.sessions[0].
-channel_history(t,n,s,o))}catch(a){this.page.header.trouble(a)}}again(){for(let e of this.chosen.keys())this.read(e)}};var lh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Ws("Body"),this.blame_panel=Ws("Where it comes from"),this.blame_panel.place.hidden=
-!0,this.contact_panel=Ws("Contacts"),this.input_panel=Ws("Inputs",{open:!1}),this.difference_panel=Ws("Comparison"),this.places=[...this.sessions.length===2?[this.
+channel_history(t,n,s,o))}catch(a){this.page.header.trouble(a)}}again(){for(let e of this.chosen.keys())this.read(e)}};var lh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Xs("Body"),this.blame_panel=Xs("Where it comes from"),this.blame_panel.place.hidden=
+!0,this.contact_panel=Xs("Contacts"),this.input_panel=Xs("Inputs",{open:!1}),this.difference_panel=Xs("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
 this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
 next_contacts!==null;){let e=this.next_contacts;this.next_contacts=null,await this.show_contacts(e)}}async show_contacts(e){let t=await Promise.all(this.sessions.
 map(async n=>e<n.head.first||e>n.head.last?{step:e,why_not:"the log has no such step"}:n.contacts_at(n.steps?this.page.own_step(n,e):e)));this.page.player.step===
 e&&(this.page.drawing.contacts=t,this.page.drawing.show(),this.draw_contacts())}draw_contacts(){let{contacts:e}=this.page.drawing,t=this.sessions.length===2;this.
-contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return l0(r,e[s],{selected:this.page.selected,
+contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return c0(r,e[s],{selected:this.page.selected,
 bodies:n,select:o=>this.page.select(o),go:o=>this.page.player.seek(o)}),t?[X("h3",{},X("span",{className:"side side-".concat("ab"[s]),textContent:"AB"[s]})),r]:
 [r]}))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(X("p",{className:"soft",textContent:"Press a body in the view, or search\
  for its id or name."}))}async show_body(e){let t=this.page.selected;if(t===null)return;let n=await Promise.all(this.sessions.map(a=>a.body_at(a.steps?this.page.
 own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return;let s=this.sessions.find(a=>a.bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.
 row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,this.page.toolbar.show(),this.page.drawing.show()}],
 ["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].
-map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));a0(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
+map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));l0(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
 void 0?"":s.bodies.name(r),shape:r===void 0?"size unknown":s.bodies.shape_words(r),answers:n,actions:o,bodies:s.bodies,plots:s===this.sessions[0]?this.page.plots:
 null,asked:this.sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.
-blame_panel.place.open=!0;let r=this.blamed={},o=a=>c0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.
+blame_panel.place.open=!0;let r=this.blamed={},o=a=>h0(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.
 show_blame(e,t,n,l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);if(this.blamed!==r)return;o(a);let[l]=a.answers??[];this.page.tell(a.why_not??"".concat(
-a.field," ").concat(Hs(a.value)," comes from step ").concat(l.step,", ").concat(l.phase,": ").concat(l.text))}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){
-h0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e)),this.page.tell(Id(this.page.difference))}label(e){
+a.field," ").concat(Ws(a.value)," comes from step ").concat(l.step,", ").concat(l.phase,": ").concat(l.text))}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){
+u0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e)),this.page.tell(Id(this.page.difference))}label(e){
 return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??this.sessions[0]).bodies.label(e)}show_inputs(){let{events:e}=this.sessions[0].rows;if(this.inputs_shown===
 e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel.body.replaceChildren(e.length===0?X("p",{className:"soft",textContent:"None."}):
 X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,text:o})=>{let a=X("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.
@@ -4149,69 +4151,72 @@ kinetic:{of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],un
 e),unit:""},begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],
 unit:""},broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}}),hh=Ui({speed:{of:(i,e)=>i.speed[e],
 unit:"m/s"},spin:{of:(i,e)=>i.spin?.[e]??null,unit:"rad/s"},height:{of:(i,e)=>i.z[e],unit:"m"},x:{of:(i,e)=>i.x[e],unit:"m"},y:{of:(i,e)=>i.y[e],unit:"m"},z:{of:(i,e)=>i.
-z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>d1(i,e,t),unit:"m"}});function d1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
+z[e],unit:"m"},asleep:{of:(i,e)=>i.asleep[e],unit:""},separation:{of:(i,e,t)=>m1(i,e,t),unit:"m"}});function m1(i,e,t){if(!t)return null;t.rows??=new Map(t.step.
 map((r,o)=>[r,o]));let n=t.rows.get(i.step[e]),s=n===void 0?[null]:["x","y","z"].map(r=>i[r][e]===null||t[r][n]===null?null:i[r][e]-t[r][n]);return s.includes(null)?
-null:Math.hypot(...s)}var f1=Ui({"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e}),p1=Ui({"\u2265":">=","\u2264":"<=","==":"="});
-function m1(i,e,t){let n=/^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(i),s=Number(n?.[1]);return Number.isFinite(s)?n[2]===""||n[2]===t?{bound:s}:{
+null:Math.hypot(...s)}var g1=Ui({"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e}),_1=Ui({"\u2265":">=","\u2264":"<=","==":"="});
+function x1(i,e,t){let n=/^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(i),s=Number(n?.[1]);return Number.isFinite(s)?n[2]===""||n[2]===t?{bound:s}:{
 kind:"wrong",words:'"'.concat(n[2],'" is not the unit of ').concat(e,", which ").concat(t?"is in ".concat(t):"has none")}:{kind:"wrong",words:'"'.concat(i,'" is\
- no number')}}function v0(i,e){let t=/^channel\.(.+)$/i.exec(i)?.[1];return t!==void 0&&!(i in e)&&t in e?t:null}function b0(i,e){let t=i.split(/(\s+and\s+)/i),
-n=[];for(let s=1;s<t.length;s+=2)n.push([t.slice(0,s).join(""),t.slice(s+1).join("")]);return n.find(s=>s.every(e))??n[0]??[i]}function M0(i,e=[]){let t=Ui(Object.
-fromEntries(e.map(({name:f,unit:p})=>[f,p]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+(\d+)$/i.exec(n);if(s)return{kind:"step",step:Number(s[1])};
-let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=p1[r[2]]??r[2],c=(f,p,x,m={})=>{let{
-bound:g,...y}=m1(r[3],p,x);return g===void 0?y:{kind:f,quantity:p,unit:x,comparison:l,bound:g,...m}},d=(f,p,x)=>({kind:"wrong",words:'"'.concat(f,'" is no quant\
-ity').concat(p,"; there are ").concat(x.flatMap(Object.keys).join(", "))}),u=v0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
-exec(o);if(h){let f=h[1].toLowerCase(),p=v0(h[1],t);return p!==null?c("channel steps",p,t[p],{body:h[2]}):f in hh?c("body steps",f,hh[f].unit,{body:h[2]}):h[1]in
-t?c("channel steps",h[1],t[h[1]],{body:h[2]}):d(h[1]," of a body",[hh,t])}return a in ch?c("steps",a,ch[a].unit):o in t?c("steps",o,t[o]):d(o,"",[ch,t])}function S0(i,e,t){
-let{of:n,body:s}=(i.channel===void 0?ch[i.quantity]:void 0)??{of:(r,o)=>e.channels[i.quantity]?.[o]??null};return Ud(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function w0(i,e,t){
-let{of:n}=hh[i.quantity];return Ud(i,e.step,s=>n(e,s,t),()=>null)}function Dd(i,e){return Ud(i,e.step,t=>e.value[t],()=>null)}function Ud(i,e,t,n){let s=f1[i.comparison],
+ no number')}}function b0(i,e){let t=/^channel\.(.+)$/i.exec(i)?.[1];return t!==void 0&&!(i in e)&&t in e?t:null}function M0(i,e){let t=i.split(/(\s+and\s+)/i),
+n=[];for(let s=1;s<t.length;s+=2)n.push([t.slice(0,s).join(""),t.slice(s+1).join("")]);return n.find(s=>s.every(e))??n[0]??[i]}function S0(i,e=[]){let t=Ui(Object.
+fromEntries(e.map(({name:f,unit:p})=>[f,p]))),n=i.trim();if(n==="")return{kind:"none"};let s=/^step\s+([-+]?\d+)$/i.exec(n);if(s)return{kind:"step",step:Number(
+s[1])};let r=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(n);if(!r)return{kind:"body",text:n};let o=r[1].trim(),a=o.toLowerCase(),l=_1[r[2]]??r[2],c=(f,p,x,m={})=>{
+let{bound:g,...y}=x1(r[3],p,x);return g===void 0?y:{kind:f,quantity:p,unit:x,comparison:l,bound:g,...m}},d=(f,p,x)=>({kind:"wrong",words:'"'.concat(f,'" is no q\
+uantity').concat(p,"; there are ").concat(x.flatMap(Object.keys).join(", "))}),u=b0(o,t);if(u!==null)return c("steps",u,t[u],{channel:u});let h=o in t?null:/^(.+?)\s+of\s+(.+)$/i.
+exec(o);if(h){let f=h[1].toLowerCase(),p=b0(h[1],t);return p!==null?c("channel steps",p,t[p],{body:h[2]}):f in hh?c("body steps",f,hh[f].unit,{body:h[2]}):h[1]in
+t?c("channel steps",h[1],t[h[1]],{body:h[2]}):d(h[1]," of a body",[hh,t])}return a in ch?c("steps",a,ch[a].unit):o in t?c("steps",o,t[o]):d(o,"",[ch,t])}function w0(i,e,t){
+let{of:n,body:s}=(i.channel===void 0?ch[i.quantity]:void 0)??{of:(r,o)=>e.channels[i.quantity]?.[o]??null};return Ud(i,e.step,r=>n(e,r,t),r=>s?.(e,r)??null)}function T0(i,e,t){
+let{of:n}=hh[i.quantity];return Ud(i,e.step,s=>n(e,s,t),()=>null)}function Dd(i,e){return Ud(i,e.step,t=>e.value[t],()=>null)}function Ud(i,e,t,n){let s=g1[i.comparison],
 r=[],o=0,a=null;for(let l=0;l<e.length;++l){let c=t(l),d=c!=null;if(d&&++o,!(d&&s(c,i.bound))){a=null;continue}a||(a={first:e[l],last:e[l],peak:c,at:e[l],body:n(
-l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var po=12,g1={">":": up to ",">=":": up to ","<":": down to ","<=":": down to ","=":": "};function _1(i,e){return Number.isFinite(i)?e==="m"?An(i):"".concat(Number(
-i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}function x1({thin:i}){return i&&i.rows_run>1?"; of each ".concat(i.rows_run," step\
-s only the largest value was searched"):""}function y1({head:i,thin:e},t){if(!e)return"";let n=e.every>1?"; ".concat(e.steps.length," of ").concat(i.last-i.first+
+l)},r.push(a)),a.last=e[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(a,{peak:c,at:e[l],body:n(l)})}return{runs:r,judged:o}}var po=12,y1={">":": up to ",">=":": up to ","<":": down to ","<=":": down to ","=":": "};function v1(i,e){return Number.isFinite(i)?e==="m"?An(i):"".concat(Number(
+i.toPrecision(4))).concat(e?" ".concat(e):""):i<0?"\u2212infinite":"infinite"}function b1({thin:i}){return i&&i.rows_run>1?"; of each ".concat(i.rows_run," step\
+s only the largest value was searched"):""}function M1({head:i,thin:e},t){if(!e)return"";let n=e.every>1?"; ".concat(e.steps.length," of ").concat(i.last-i.first+
 1," states were searched"):"";return t===""?n:n+(t==="m"?"; places are rounded to ".concat(An(e.quantum)):"; speeds are made of places rounded to ".concat(An(e.
-quantum)))}function T0(i){let e=X("input",{type:"search",placeholder:"speed > 5, wall 0, step 120",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label",
-"search for steps by a condition, or for a body by id or name");let t=X("output",{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},
-r=[],o=()=>{let{bodies:p}=i.sessions[0],x=p.find(s.text);return t.value=x.length===0?"no such body":"".concat(x.length," bod").concat(x.length===1?"y":"ies"),n.
-replaceChildren(...x.slice(0,po).map(m=>X("li",{},Pn(p.label(p.id(m)),()=>i.select(p.id(m))),p.label(p.id(m)).includes(p.name(m))?"":" ".concat(p.name(m))))),x.
-length>po&&n.append(X("li",{className:"soft",textContent:"and ".concat(x.length-po," more")})),i.set_hits([]),x},a=()=>{let{rows:p,timeline_done:x,unread:m}=i.sessions[0];
-return m?(t.value="the timeline was not read: ".concat(m),r=[],n.replaceChildren(),i.set_hits([]),[]):u(S0(s,p,g=>i.separation_at(g)),s.unit,x,x1(i.sessions[0]))},
-l=p=>i.sessions.slice(0,p?2:1).every(({head:x})=>x.finished||!i.served),c=async p=>{let x=s,m=i.sessions.map(({bodies:_})=>_.find(x.body).map(M=>_.id(M))),g=[...new Set(
-m.flat())];if(g.length!==1)return t.value=g.length===0?'no body "'.concat(x.body,'"'):"".concat(g.length,' bodies answer to "').concat(x.body,'"; wanted one'),n.
-replaceChildren(),i.set_hits([]),[];let{unit:y}=x,S=x.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],w=_=>s!==x?!1:(b[0]&&(!S||b[1])&&(C=u(w0(
-x,...b),y,_,y1(i.sessions[0],y))),!0);try{for(let _ of S?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(g[0],R=>(b[_]=R,w(!1)&&s===x)),!w(M&&l(S)))return[]}
-p&&i.selected!==g[0]&&i.select(g[0])}catch(_){s===x&&(t.value=_.message)}return C},d=async()=>{let p=s,[x]=i.sessions,m=x.rows.channel_heads.findIndex(({name:M})=>M===
-p.quantity),{of:g,unit:y}=x.rows.channel_heads[m],S=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=g==="pairs"?b0(p.body,M=>x.bodies.find(M).length===1):[p.
-body];if(g==="step")return S('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(g==="pairs"&&b.length!==2)return S('"'.concat(p.quantity,'" \
-is a channel of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!x.channel_history)return S("this page has no channels of single bodies; a served page (tumbl\
-e view without -o) has");let C=b.map(M=>x.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return S(R.length===0?'no body "'.concat(b[M],'"'):"".concat(
-R.length,' bodies answer to "').concat(b[M],'"; wanted one'));let[w,_]=C.map(([M])=>x.bodies.id(M));try{let M=await x.channel_history(m,w,_??0,R=>(s===p&&u(Dd(p,
-R),y,!1),s===p));s===p&&u(Dd(p,M),y,l(!1))}catch(M){s===p&&S(M.message)}},u=({runs:p,judged:x},m,g,y="")=>{let S=g?"":" so far",b=i.sessions[0].rows.unread_count(),
-C=x===0?"no step has a value of it".concat(S):"in no step".concat(S);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of s\
-teps").concat(S,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+y,r=p.slice(0,po).map(w=>{
-let _=w.first===w.last?"step ".concat(w.first):"steps ".concat(w.first," to ").concat(w.last),M=X("li",{},Pn(_,()=>i.player.seek(w.first)),g1[s.comparison],Pn("".
-concat(_1(w.peak,m)),()=>i.player.seek(w.at),"at step ".concat(w.at)));return w.body&&M.append(", ",Pn(i.sessions[0].bodies.label(w.body),()=>i.select(w.body))),
-M}),n.replaceChildren(...r),p.length>po&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-po," more")})),i.set_hits(p),p},h=()=>(r=[],s=M0(e.
-value,i.sessions[0].rows.channel_heads),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="bod\
-y steps"?c(!0):d(),[]):(t.value=s.kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener(
-"input",h),e.addEventListener("keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.
+quantum)))}function S1({head:i},e){return e==="contacts"&&i.counts_collisions?"; contacts are the collisions resolved in all substeps":""}function Fd(i,e){if(i<
+e.first||i>e.last)return{step:null,words:"no step ".concat(i,": the session has steps ").concat(e.first," to ").concat(e.last)};let t=e.at_or_before(i);return{step:t,
+words:"Enter goes to step ".concat(t).concat(t===i?"":", the last before step ".concat(i," that this page has"))}}function A0(i){let e=X("input",{type:"search",
+placeholder:"speed > 5, wall 0, step 120",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a condition, or for a body by id o\
+r name");let t=X("output",{ariaLabel:"what the search found"}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:p}=i.sessions[0],x=p.find(s.text);
+return t.value=x.length===0?"no such body":"".concat(x.length," bod").concat(x.length===1?"y":"ies"),n.replaceChildren(...x.slice(0,po).map(m=>X("li",{},Pn(p.label(
+p.id(m)),()=>i.select(p.id(m))),p.label(p.id(m)).includes(p.name(m))?"":" ".concat(p.name(m))))),x.length>po&&n.append(X("li",{className:"soft",textContent:"and\
+ ".concat(x.length-po," more")})),i.set_hits([]),x},a=()=>{let{rows:p,timeline_done:x,unread:m}=i.sessions[0];return m?(t.value="the timeline was not read: ".concat(
+m),r=[],n.replaceChildren(),i.set_hits([]),[]):u(w0(s,p,g=>i.separation_at(g)),s.unit,x,S1(i.sessions[0],s.quantity)+b1(i.sessions[0]))},l=p=>i.sessions.slice(0,
+p?2:1).every(({head:x})=>x.finished||!i.served),c=async p=>{let x=s,m=i.sessions.map(({bodies:_})=>_.find(x.body).map(M=>_.id(M))),g=[...new Set(m.flat())];if(g.
+length!==1)return t.value=g.length===0?'no body "'.concat(x.body,'"'):"".concat(g.length,' bodies answer to "').concat(x.body,'"; wanted one'),n.replaceChildren(),
+i.set_hits([]),[];let{unit:y}=x,S=x.quantity==="separation"&&i.sessions.length===2,b=[null,null],C=[],w=_=>s!==x?!1:(b[0]&&(!S||b[1])&&(C=u(T0(x,...b),y,_,M1(i.
+sessions[0],y))),!0);try{for(let _ of S?[1,0]:[0]){let M=_===0;if(b[_]=await i.sessions[_].history(g[0],R=>(b[_]=R,w(!1)&&s===x)),!w(M&&l(S)))return[]}p&&i.selected!==
+g[0]&&i.select(g[0])}catch(_){s===x&&(t.value=_.message)}return C},d=async()=>{let p=s,[x]=i.sessions,m=x.rows.channel_heads.findIndex(({name:M})=>M===p.quantity),
+{of:g,unit:y}=x.rows.channel_heads[m],S=M=>{t.value=M,n.replaceChildren(),i.set_hits([])},b=g==="pairs"?M0(p.body,M=>x.bodies.find(M).length===1):[p.body];if(g===
+"step")return S('"'.concat(p.quantity,'" is a channel of the step, not of a body'));if(g==="pairs"&&b.length!==2)return S('"'.concat(p.quantity,'" is a channel \
+of pairs: ').concat(p.quantity," of 1 and 2 > 0"));if(!x.channel_history)return S("this page has no channels of single bodies; a served page (tumble view withou\
+t -o) has");let C=b.map(M=>x.bodies.find(M));for(let[M,R]of C.entries())if(R.length!==1)return S(R.length===0?'no body "'.concat(b[M],'"'):"".concat(R.length,' \
+bodies answer to "').concat(b[M],'"; wanted one'));let[w,_]=C.map(([M])=>x.bodies.id(M));try{let M=await x.channel_history(m,w,_??0,R=>(s===p&&u(Dd(p,R),y,!1),s===
+p));s===p&&u(Dd(p,M),y,l(!1))}catch(M){s===p&&S(M.message)}},u=({runs:p,judged:x},m,g,y="")=>{let S=g?"":" so far",b=i.sessions[0].rows.unread_count(),C=x===0?"\
+no step has a value of it".concat(S):"in no step".concat(S);return t.value=(p.length===0?C:"".concat(p.length," run").concat(p.length===1?"":"s"," of steps").concat(
+S,", the first at ").concat(p[0].first))+(b===0?"":b===1?"; 1 step was not read":"; ".concat(b," steps were not read"))+y,r=p.slice(0,po).map(w=>{let _=w.first===
+w.last?"step ".concat(w.first):"steps ".concat(w.first," to ").concat(w.last),M=X("li",{},Pn(_,()=>i.player.seek(w.first)),y1[s.comparison],Pn("".concat(v1(w.peak,
+m)),()=>i.player.seek(w.at),"at step ".concat(w.at)));return w.body&&M.append(", ",Pn(i.sessions[0].bodies.label(w.body),()=>i.select(w.body))),M}),n.replaceChildren(
+...r),p.length>po&&n.append(X("li",{className:"soft",textContent:"and ".concat(p.length-po," more")})),i.set_hits(p),p},h=()=>(r=[],s=S0(e.value,i.sessions[0].rows.
+channel_heads),s.kind==="body"?o():s.kind==="steps"?a():s.kind==="body steps"||s.kind==="channel steps"?(t.value="\u2026",s.kind==="body steps"?c(!0):d(),[]):(t.
+value=s.kind==="wrong"?s.words:s.kind==="step"?Fd(s.step,i.steps).words:"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",h),e.addEventListener(
+"keydown",p=>{if(p.key==="Escape"&&e.blur(),p.key==="Enter"){if(p.preventDefault(),s.kind==="step"){let{step:x}=Fd(s.step,i.steps);x!==null&&i.player.seek(x)}if(s.
 kind==="steps"||s.kind==="body steps"||s.kind==="channel steps")i.next_hit(p.shiftKey?-1:1);else if(s.kind==="body"){let[x]=h();x!==void 0&&i.select(i.sessions[0].
 bodies.id(x))}}});let f=(p,x,m)=>{let g=X("button",{type:"button",textContent:p,title:x});return g.setAttribute("aria-label",x),g.addEventListener("click",()=>i.
 next_hit(m)),g};return{place:X("div",{className:"search"},X("div",{className:"search-row"},e,f("\u2039","the run of steps before (N)",-1),f("\u203A","the next r\
 un of steps (n)",1)),t,n),focus:()=>e.focus(),at(p){r.forEach((x,m)=>x.classList.toggle("at",m===p))},again(){if(s.kind==="steps"){let p=i.hit;a(),i.hit=p}else s.
-kind==="body steps"?c(!1):s.kind==="channel steps"&&d()}}}var v1=["box","grid","tower","pyramid","wall","pile","thrown"];var b1=["crate","brick","wood","concrete","white"],mo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
+kind==="step"?t.value=Fd(s.step,i.steps).words:s.kind==="body steps"?c(!1):s.kind==="channel steps"&&d()}}}var w1=["box","grid","tower","pyramid","wall","pile","thrown"];var T1=["crate","brick","wood","concrete","white"],mo=class{constructor(e){this.update(e)}update(e){this.json=e,this.count=e.id.length,this.rows=new Map(e.id.map(
 (t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){
-return this.json.static[e]===1}texture(e){return b1[this.json.texture[e]]??""}shape_words(e){let t=this.size(e),n=t[0]>0?"".concat(t.map(r=>Number(r.toPrecision(
+return this.json.static[e]===1}texture(e){return T1[this.json.texture[e]]??""}shape_words(e){let t=this.size(e),n=t[0]>0?"".concat(t.map(r=>Number(r.toPrecision(
 4))).join(" \xD7 ")," m"):"size unknown",s=this.json.shapes?.[this.json.shape?.[e]??-1];return s?s.points.length>0?"".concat(s.words,", ").concat(n):s.words:n}body(e){
 let t=this.json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)
-return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=this.json.shapes?.[this.json.shape?.[e]??-1],l=n===0&&a?a.kind:v1[n]??"body";return n===0||n===6?l:"".
+return t;let[n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=this.json.shapes?.[this.json.shape?.[e]??-1],l=n===0&&a?a.kind:w1[n]??"body";return n===0||n===6?l:"".
 concat(l," ").concat(s,", row ").concat(r,", column ").concat(o)}label(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n===""?"body ".concat(
 e):e>=4503599627370496?n:"body ".concat(e," (").concat(n,")")}short(e){let t=this.rows.get(e),n=t===void 0?"":this.json.name?.[t]??"";return n!==""&&e>=4503599627370496?
 n:String(e)}find(e){let t=e.trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let r=this.row(Number(t));return r===void 0?[]:[r]}let n=[...this.
 rows.values()].filter(r=>this.json.name?.[r]?.toLowerCase()===t);if(n.length>0)return n;let s=[];for(let r=0;r<this.count;++r)this.name(r).toLowerCase().includes(
-t)&&s.push(r);return s}};var A0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function _s(i,e){for(let t of e)
-i.push(typeof t=="string"?Number(t):t)}var go=class{constructor(e=[],t=!1){this.channel_heads=e;for(let n of A0)this[n]=[];this.begun=[],this.of_another=t,this.
+t)&&s.push(r);return s}};var E0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"];function _s(i,e){for(let t of e)
+i.push(typeof t=="string"?Number(t):t)}var go=class{constructor(e=[],t=!1){this.channel_heads=e;for(let n of E0)this[n]=[];this.begun=[],this.of_another=t,this.
 may_lack_contacts=t,this.contacts_seen=0,this.label=n=>"body ".concat(n),this.events=[],this.begun_why_not="",this.channels=Ui(),this.bounds=[]}get count(){return this.
-step.length}append(e){for(let t of A0)_s(this[t],e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(
+step.length}append(e){for(let t of E0)_s(this[t],e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(
 null),broken:new Array(this.count-t.length).fill(null)};_s(r.value,t),_s(r.broken,n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.channels[s]??=
 [];for(;r.length<this.count-t.length;)r.push(null);_s(r,t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,
 s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}reaches(e){let t=this.count>
@@ -4222,15 +4227,15 @@ indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}without_contacts(){for(;this.ma
 0&&(this.may_lack_contacts=!1);return this.may_lack_contacts}contacts_told(e){return this.without_contacts()?null:this.contacts[e]}why_no_contacts(e){let t="the\
  log of another engine holds no contacts";return this.without_contacts()?t:this.of_another&&this.contacts[Math.max(0,this.index(e))]===0?"".concat(t," of step ").
 concat(e):"this page has no contacts of this state; a served page (tumble view without -o) has all"}energy(e){return this.kinetic[e]===null||this.potential[e]===
-null?null:this.kinetic[e]+this.potential[e]}};var M1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function R0(i){if(!("DecompressionStream"in window))
-throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([M1(i)]).stream().pipeThrough(new DecompressionStream("def\
-late"));return new Response(e).arrayBuffer()}var E0=async i=>JSON.parse(new TextDecoder().decode(await R0(i))),C0=i=>i>>>1^-(i&1);function S1(i,e,t,n){let s=e*t,
+null?null:this.kinetic[e]+this.potential[e]}};var A1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function P0(i){if(!("DecompressionStream"in window))
+throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([A1(i)]).stream().pipeThrough(new DecompressionStream("def\
+late"));return new Response(e).arrayBuffer()}var C0=async i=>JSON.parse(new TextDecoder().decode(await P0(i))),R0=i=>i>>>1^-(i&1);function E1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
-e;++f,++d){let p=o+d,x=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=C0(x)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
-t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=C0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
-e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Fd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new mo(t.bodies),this.rows=new go(e.channels,!e.
+e;++f,++d){let p=o+d,x=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=R0(x)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
+t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=R0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
+e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var Od=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new mo(t.bodies),this.rows=new go(e.channels,!e.
 ours),this.rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.
-begun_why_not,this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=S1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=
+begun_why_not,this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=E1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=
 new Map(this.steps.map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=
 s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(
 t*n,(t+1)*n),[r,o,a]=this.columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),
@@ -4245,22 +4250,22 @@ speed:[],asleep:[]};for(let s of t===void 0?[]:this.steps){let r=this.frame(s),o
 push(o?r[a][t]:null);n.asleep.push(o?+(r.mark[t]===2):null)}return n}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===
 ms)return{why_not:"not there in this state",absent:!0};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map(
 (a,l)=>({field:"orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y",
-"z"].map(a=>({field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function P0(i){
-let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([E0("session-".concat(n,"-details")),R0("session-".concat(n,"-frames"))]);e.push(new Fd(s,r,
-o))}let t=document.getElementById("session-0-difference")?await E0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var w1=16e7,Od=24,T1=700,A1=120;async function I0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
-if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var si=async(i,e)=>(await I0(i,e)).json();function E1(i){let e=new DataView(
+"z"].map(a=>({field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function I0(i){
+let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([C0("session-".concat(n,"-details")),P0("session-".concat(n,"-frames"))]);e.push(new Od(s,r,
+o))}let t=document.getElementById("session-0-difference")?await C0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var C1=16e7,Bd=24,R1=700,P1=120;async function L0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var si=async(i,e)=>(await L0(i,e)).json();function I1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(x=>e.getUint32(n+x,!0));n+=16;let l=[0,1,2,3].map(x=>new Float32Array(i,n+4*x*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
-mark:d})}return t}var Bd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new mo(n),this.rows=new go(t.channels,!t.ours),this.steps=null,
+mark:d})}return t}var kd=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new mo(n),this.rows=new go(t.channels,!t.ours),this.steps=null,
 this.timeline_done=!1,this.note="",this.unread="",this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;
 return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.
 rows.index(e);return t<0?(e-this.head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*
-e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=w1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
-64}}async fetch(e,t,n){let s=await I0("frames",{log:this.log,first:e,count:t,stride:n}),r=E1(await s.arrayBuffer());for(let a of r)this.keep(a);Vn(r.map(a=>a.version))>
+e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=C1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+
+64}}async fetch(e,t,n){let s=await L0("frames",{log:this.log,first:e,count:t,stride:n}),r=I1(await s.arrayBuffer());for(let a of r)this.keep(a);Vn(r.map(a=>a.version))>
 this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await si("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){
-return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Od/2&&this.
-cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Od-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.
-asked.add(r),this.fetch(r,Od,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.
+return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Bd/2&&this.
+cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Bd-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.
+asked.add(r),this.fetch(r,Bd,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.
 size>64&&this.contact_cache.clear(),this.contact_cache.set(e,await si("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)}async history(e,t){this.histories??=
 new Map;let n=this.histories.get(e)??{id:e,next:this.head.first,step:[],x:[],y:[],z:[],speed:[],spin:[],asleep:[]};for(this.histories.size>16&&this.histories.clear(),
 this.histories.set(e,n);n.next<=this.head.last;){let s=n.next,r=await si("history",{log:this.log,id:e,from:s});if(r.why_not)throw new Error(r.why_not);if(n.next===
@@ -4274,36 +4279,36 @@ await si("head",{log:this.log})),e.version>this.bodies.version&&await this.fetch
 log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),_s(this.rows.events,s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.length<
 Math.min(e.begun,this.rows.count);){let s=await si("begun",{log:this.log,from:this.rows.begun.length});if(s.length===0)break;_s(this.rows.begun,s),n=!0}for(let s of[
 "note","unread"])e[s]!==this[s]&&(n=!0),this[s]=e[s];return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=e.contacts_why_not,this.
-timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function L0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Bd(s,n,await si(
+timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function N0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new kd(s,n,await si(
 "bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.take_news()||
 l;o||(r=await si("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||u.busy);
-(c||d)&&setTimeout(a,d&&!c?A1:T1)};a()}}}var C1=30,R1=22,N0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function D0(i){let e=Math.min(devicePixelRatio,
+(c||d)&&setTimeout(a,d&&!c?P1:R1)};a()}}}var L1=30,N1=22,D0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function U0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
-"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function P1(i,e,t,n){let s=new Float64Array(Math.
+"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function D1(i,e,t,n){let s=new Float64Array(Math.
 ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0),o=new Uint8Array(s.length);for(let a=0;a<i.count;++a){let l=e.of(i,a),c=Math.min(s.length-1,Math.
 max(0,Math.round(t(i.step[a]))));if(l==null||!Number.isFinite(l)){(e.parts||i.read[a]===0)&&(o[c]=1);continue}l<s[c]&&(s[c]=l),l>r[c]&&(r[c]=l)}return{low:s,high:r,
-none:o}}function I1({high:i,none:e}){let t=[],n=!1;for(let s=0;s<i.length;++s){if(i[s]===-1/0){e[s]&&(n=!1);continue}n||t.push([]),n=!0,t.at(-1).push(s)}return t}
-function L1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.
-log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function N1(i,e,t,n,s,r){let{context:o,width:a,height:l}=D0(
-i),c=P1(t,e,n,a),d=L1(c,e,t);if(!d)return!1;let u=e.log?x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);
+none:o}}function U1({high:i,none:e}){let t=[],n=!1;for(let s=0;s<i.length;++s){if(i[s]===-1/0){e[s]&&(n=!1);continue}n||t.push([]),n=!0,t.at(-1).push(s)}return t}
+function F1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.
+log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function O1(i,e,t,n,s,r){let{context:o,width:a,height:l}=U0(
+i),c=D1(t,e,n,a),d=F1(c,e,t);if(!d)return!1;let u=e.log?x=>Math.log(Math.max(x,1e-18)):x=>x,[h,f]=[u(d.bottom),u(d.top)],p=x=>l-2-(l-5)*(u(x)-h)/Math.max(f-h,1e-300);
 if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=r.bad;for(let x=0;x<t.count;++x)e.broken(t,x)&&o.fillRect(n(t.step[x]),l-4,2,4);o.fillStyle=s}if(e.kind==="\
-bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.lineWidth=1.4,o.lineJoin="round";for(let x of I1(
+bars"){for(let x=0;x<c.high.length;++x)c.high[x]>0&&o.fillRect(x,p(c.high[x]),1.2,l-1-p(c.high[x]));return!0}o.lineWidth=1.4,o.lineJoin="round";for(let x of U1(
 c)){o.beginPath(),o.moveTo(x[0],p(c.high[x[0]]));for(let m of x)o.lineTo(m,p(c.high[m])),c.low[m]!==c.high[m]&&o.lineTo(m,p(c.low[m]));x.length===1&&o.lineTo(x[0]+
-1.4,p(c.low[x[0]])),o.stroke(),e.kind==="area"&&(o.lineTo(x.at(-1),l),o.lineTo(x[0],l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1)}return!0}function U0({rows:i,
+1.4,p(c.low[x[0]])),o.stroke(),e.kind==="area"&&(o.lineTo(x.at(-1),l),o.lineTo(x[0],l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1)}return!0}function F0({rows:i,
 range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline",role:"group",ariaLabel:"timeline: values at the step shown"}),o=X("div",{className:"cursor"}),
-a=N0(R1),l=X("span",{className:"value"}),c=[],d=0,u=y=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(y-1),h=(y,S,b,C="")=>X("div",{className:"lane",title:C},
-X("div",{className:"label"},X("span",{textContent:y}),S),b),f=y=>{c=y.map(S=>{let b=N0(C1),C=X("span",{className:"value"});return{lane:S,canvas:b,value:C,row:h(
-S.name,C,b,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},p=()=>{let{context:y,width:S,height:b}=D0(a),C=s(),{gaps:w,inputs:_,hits:M,
+a=D0(N1),l=X("span",{className:"value"}),c=[],d=0,u=y=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(y-1),h=(y,S,b,C="")=>X("div",{className:"lane",title:C},
+X("div",{className:"label"},X("span",{textContent:y}),S),b),f=y=>{c=y.map(S=>{let b=D0(L1),C=X("span",{className:"value"});return{lane:S,canvas:b,value:C,row:h(
+S.name,C,b,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},p=()=>{let{context:y,width:S,height:b}=U0(a),C=s(),{gaps:w,inputs:_,hits:M,
 first_difference:R}=n(),P=u(S);y.fillStyle=C.line,y.fillRect(0,b/2-1,S,2);for(let[I,F]of w)y.fillStyle=C.bad,y.globalAlpha=.35,y.fillRect(P(I),2,Math.max(2,P(F)-
 P(I)),b-4),y.globalAlpha=1;y.fillStyle=C.select;for(let I of M)y.fillRect(P(I.first),b-7,Math.max(2,P(I.last)-P(I.first)),6);y.fillStyle=C.ink;for(let{step:I}of _){
 let F=P(I);y.beginPath(),y.moveTo(F-4,1),y.lineTo(F+4,1),y.lineTo(F,9),y.fill()}R!==null&&(y.fillStyle=C.bad,y.fillRect(P(R)-1,0,2,b),y.beginPath(),y.moveTo(P(R)+
 1,0),y.lineTo(P(R)+9,4),y.lineTo(P(R)+1,8),y.fill())},x=()=>{let y=i.index(d),S=i.reaches(d)?y:-1;for(let{lane:w,value:_}of c)_.textContent=S<0||i.step[S]===void 0?
 "\u2013":w.words(i,S);let b=n().inputs.filter(w=>w.step===d);l.textContent=b.length>0?b.map(({kind:w,body:_})=>"".concat(w).concat(_?" ".concat(_):"")).join(", "):
 "".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(C,"px)")},
-m=()=>{if(a.clientWidth===0)return;let y=s();p(),c.forEach(({lane:S,canvas:b,row:C},w)=>{let _=N1(b,S,i,u(b.clientWidth),S.bad?y.bad:y.lanes[w%y.lanes.length],y);
+m=()=>{if(a.clientWidth===0)return;let y=s();p(),c.forEach(({lane:S,canvas:b,row:C},w)=>{let _=O1(b,S,i,u(b.clientWidth),S.bad?y.bad:y.lanes[w%y.lanes.length],y);
 C.hidden=!_&&(S.only_if_any||S.late)}),x()},g=y=>{if(y.buttons===0)return;let S=a.getBoundingClientRect(),b=Math.min(1,Math.max(0,(y.clientX-S.left)/Math.max(1,
 S.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",y=>{y.target.tagName==="CANVAS"&&(r.setPointerCapture(y.pointerId),
-g(y))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,show(y){d=y,x()}}}function F0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,x)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
+g(y))}),r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,show(y){d=y,x()}}}function O0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,x)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
 addEventListener("click",()=>{x(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Vn([.1,...h.speed.map(f=>Math.min(f??0,50))]),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,e.show_ways(),i.refresh()},
@@ -4311,12 +4316,12 @@ a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.foll
 "w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"Whole sc\
 ene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(f()));
 c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar",role:"group",ariaLabel:"what is drawn"},X("label",{},"Colour by ",s),...c.
-map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var D1=60,kd=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
-sessions)s.label=o=>r.label(o);this.steps=new cr(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
-this.player=th({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=r0(this),this.view=X("div",{className:"view3\
+map(({made:h})=>h),d),show:u,flip:{c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var B1=60,zd=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;for(let{rows:s,bodies:r}of this.
+sessions)s.label=o=>r.label(o);this.steps=new hr(Math.min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),
+this.player=th({steps:this.steps,dt:()=>n.head.dt,show:s=>this.show(s),played:s=>this.said_playing(s)}),this.header=o0(this),this.view=X("div",{className:"view3\
 d"}),this.said=X("output",{className:"said"}),this.told=X("output",{className:"told",ariaLabel:"what has happened"}),this.drawing=new rh(this.view,this.sessions,
-s=>this.select(s)),this.timeline=U0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Qi,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
-new ah(this):null,this.search=T0(this),this.side=new lh(this),this.toolbar=F0(this),this.keys=d0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
+s=>this.select(s)),this.timeline=F0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Qi,marks:()=>this.marks()}),this.plots=this.sessions[0].channel_history?
+new ah(this):null,this.search=A0(this),this.side=new lh(this),this.toolbar=O0(this),this.keys=f0(this),e.replaceChildren(this.header.place,X("div",{className:"w\
 ork"},X("section",{className:"shown",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.told,this.player.bar,this.timeline.place),X("aside",
 {ariaLabel:"search and numbers"},this.search.place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.
 sessions.length===2&&this.side.show_difference()}union_of_steps(){return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-
@@ -4327,41 +4332,41 @@ start(),this.player.seek(n),this.player.refresh(),t!==null&&this.select(t),addEv
 on_bodies=()=>{this.drawing.describe(),this.refresh()};new ResizeObserver(()=>this.drawing.resize()).observe(this.view),qa(()=>{this.drawing.restart(),this.timeline.
 draw()}),this.follow(s=>this.changed(s),s=>this.header.trouble(s)),this.place.dataset.ready="true"}marks(){let[{rows:e}]=this.sessions;return{gaps:this.sessions.
 flatMap(t=>t.gaps()),inputs:e.events,hits:this.hits,first_difference:this.difference?.first?.step??null,first_effect:this.difference?.effect?.step??null}}set_lanes(){
-let{rows:e}=this.sessions[0],t=[...this.plots?.lanes()??[],...m0(this.bounds),...p0,...g0(e)];this.difference?.separation&&t.unshift(x0(this.difference.separation)),
-this.timeline.set_lanes(t),this.timeline.draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map((n,s)=>[n,t.metres[s]??
-1/0])),this.separations.get(e)??null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&e!==this.difference){let s=!!this.
-difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&
-this.player.seek(n),this.header.show(),this.side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.
-asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.
-player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),D1)}own_step(e,t){
-return new cr(e.head.first,e.head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.
-now(),r=await Promise.all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,
-(t===this.asked||this.player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;
-this.wanted=null,n&&this.fetch_frames(...n)}show_frames(e,t){this.drawing.frames=t,this.drawing.show(),this.shown=e;let n=this.words(e,t);this.said.value=n,this.
-player.slider.setAttribute("aria-valuetext",n);let s=t[0]&&t[0].status!==0?this.sessions[0].gap_at(e):null,r=t.every(o=>o===null||o.status!==0);this.drawing.over.
-hidden=!r,this.drawing.over.textContent=r?s?"Step ".concat(e," is not here: ").concat(s[2],"."):"The state of step ".concat(e," cannot be read."):""}words(e,t){
-let[n]=this.sessions,[s]=t,r=["step ".concat(e),"".concat(n.time_of(e).toFixed(3)," s")];if(s&&s.status===0){let o=[0,0,0,0];for(let l of s.mark)++o[l];let a=o[1]+
-o[2]+o[3];if(r.push("".concat(a," bod").concat(a===1?"y":"ies",", ").concat(o[2]," asleep")),o[3]>0){let l=s.mark.indexOf(3);r.push("".concat(n.bodies.label(n.bodies.
-id(l))).concat(o[3]>1?" and ".concat(o[3]-1," more"):""," lost: no numbers").concat(o[3]>oh?", ".concat(oh," of them marked"):""))}s.step!==e&&r.push("A shows s\
-tep ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(e)[2]);if(r.push(...this.drawing.ways_words()),this.sessions.length===2){let o=this.difference?.first?.step,
-a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?"infinitely far apart":"at most ".concat(a.toPrecision(3)," m apart")),
-r.push(...this.drawing.only_in_words())}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===null?"":"&body=".concat(this.selected));
-try{history.replaceState(null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.header.trouble(n))}refresh(){this.player.
-refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_playing(e){this.said.setAttribute("aria-live",e===0?"polite":"off"),this.tell(e===0?"stopped \
-at ".concat(this.said.value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell(e===null?"no body is chosen":"".concat(this.side.label(e),
-" is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.drawing.show_ways().catch(
-t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.first?.
-step;e!==void 0&&this.player.seek(e)}go_to_first_effect(){let e=this.difference?.effect?.step;e!==void 0&&this.player.seek(e)}set_hits(e){this.hits=e,this.hit=-1,
-this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];this.player.seek(
-e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function O0(i){try{let e=JSON.parse(document.getElementById("session-head").textContent),
-t=await(e.mode==="sent"?P0:L0)(e);await new kd(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(X("p",{className:"bad",textContent:"This cannot be \
-drawn: ".concat(e.message)})),e}}function U1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
-groups??"").split(" "),s=Op(i,e,{first:t,groups:n}),r=t0(i,e,s.show_step);qa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function F1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function zd(i){return e=>{
-try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var k0=document.createElement(
-"style");k0.textContent=af+lf+cf;document.head.append(k0);for(let i of document.querySelectorAll("table.glance"))zd(Hp)(i);for(let i of document.querySelectorAll(
-".drawing"))i.querySelector("p").textContent="Plots and trajectories are drawn once they are in view.",F1(i,zd(U1));for(let i of document.querySelectorAll(".pic\
-tures"))zd(Bp)(i);var B0=document.getElementById("session");B0&&O0(B0);})();
+let{head:e,rows:t}=this.sessions[0],n=[...this.plots?.lanes()??[],...g0(this.bounds),...m0(e),..._0(t)];this.difference?.separation&&n.unshift(y0(this.difference.
+separation)),this.timeline.set_lanes(n),this.timeline.draw()}separation_at(e){let t=this.difference?.separation;return t?(this.separations??=new Map(t.step.map(
+(n,s)=>[n,t.metres[s]??1/0])),this.separations.get(e)??null):null}changed(e){let{head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&
+e!==this.difference){let s=!!this.difference?.separation;this.difference=e,this.side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.
+player.set_last(n)&&!t.finished&&this.player.seek(n),this.header.show(),this.side.show_inputs(),this.search.again(),this.plots?.again(),this.timeline.draw()}show(e){
+this.timeline.show(e);let t=++this.asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.
+prefetch(e,this.player.direction*this.player.stride);n.every(s=>s!==null)?this.show_frames(e,n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(
+()=>this.settled(e),B1)}own_step(e,t){return new hr(e.head.first,e.head.last,e.steps).at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];
+return}this.fetching=!0;try{let s=performance.now(),r=await Promise.all(this.sessions.map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(
+o,e):e)));this.seek_ms=performance.now()-s,(t===this.asked||this.player.direction!==0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(
+s)}this.fetching=!1;let{wanted:n}=this;this.wanted=null,n&&this.fetch_frames(...n)}show_frames(e,t){this.drawing.frames=t,this.drawing.show(),this.shown=e;let n=this.
+words(e,t);this.said.value=n,this.player.slider.setAttribute("aria-valuetext",n);let s=t[0]&&t[0].status!==0?this.sessions[0].gap_at(e):null,r=t.every(o=>o===null||
+o.status!==0);this.drawing.over.hidden=!r,this.drawing.over.textContent=r?s?"Step ".concat(e," is not here: ").concat(s[2],"."):"The state of step ".concat(e," \
+cannot be read."):""}words(e,t){let[n]=this.sessions,[s]=t,r=["step ".concat(e),"".concat(n.time_of(e).toFixed(3)," s")];if(s&&s.status===0){let o=[0,0,0,0];for(let l of s.
+mark)++o[l];let a=o[1]+o[2]+o[3];if(r.push("".concat(a," bod").concat(a===1?"y":"ies",", ").concat(o[2]," asleep")),o[3]>0){let l=s.mark.indexOf(3);r.push("".concat(
+n.bodies.label(n.bodies.id(l))).concat(o[3]>1?" and ".concat(o[3]-1," more"):""," lost: no numbers").concat(o[3]>oh?", ".concat(oh," of them marked"):""))}s.step!==
+e&&r.push("A shows step ".concat(s.step))}else n.gap_at(e)&&r.push(n.gap_at(e)[2]);if(r.push(...this.drawing.ways_words()),this.sessions.length===2){let o=this.
+difference?.first?.step,a=this.separation_at(e);o!==void 0&&e<o?r.push("the same in both"):a!==null&&r.push(a===1/0?"infinitely far apart":"at most ".concat(a.toPrecision(
+3)," m apart")),r.push(...this.drawing.only_in_words())}return r.join(" \xB7 ")}async settled(e){let t="#step=".concat(e).concat(this.selected===null?"":"&body=".
+concat(this.selected));try{history.replaceState(null,"",t)}catch{}this.player.direction!==0&&this.served||await this.side.settled(e).catch(n=>this.header.trouble(
+n))}refresh(){this.player.refresh()}tell(e){e&&this.told.value!==e&&(this.told.value=e)}said_playing(e){this.said.setAttribute("aria-live",e===0?"polite":"off"),
+this.tell(e===0?"stopped at ".concat(this.said.value):e>0?"playing":"playing backwards")}select(e){e!==this.selected&&this.tell(e===null?"no body is chosen":"".
+concat(this.side.label(e)," is chosen")),this.selected=e,this.drawing.selected=e,e===null&&(this.drawing.following=!1),this.toolbar.show(),this.drawing.show(),this.
+drawing.show_ways().catch(t=>this.header.trouble(t)),this.side.show_selection(),this.side.draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){
+let e=this.difference?.first?.step;e!==void 0&&this.player.seek(e)}go_to_first_effect(){let e=this.difference?.effect?.step;e!==void 0&&this.player.seek(e)}set_hits(e){
+this.hits=e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.
+hit];this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function B0(i){try{let e=JSON.parse(document.getElementById("se\
+ssion-head").textContent),t=await(e.mode==="sent"?I0:N0)(e);await new zd(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(X("p",{className:"bad",textContent:"\
+This cannot be drawn: ".concat(e.message)})),e}}function k1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+groups??"").split(" "),s=Bp(i,e,{first:t,groups:n}),r=n0(i,e,s.show_step);qa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
+i)}function z1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Vd(i){return e=>{
+try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var z0=document.createElement(
+"style");z0.textContent=lf+cf+hf;document.head.append(z0);for(let i of document.querySelectorAll("table.glance"))Vd(Wp)(i);for(let i of document.querySelectorAll(
+".drawing"))i.querySelector("p").textContent="Plots and trajectories are drawn once they are in view.",z1(i,Vd(k1));for(let i of document.querySelectorAll(".pic\
+tures"))Vd(kp)(i);var k0=document.getElementById("session");k0&&B0(k0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

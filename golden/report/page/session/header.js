@@ -10,6 +10,7 @@ function facts_of(session) {
     chip(`${Number(session.time_of(head.last).toPrecision(4))} s`), chip(`${bodies.count} bod${bodies.count === 1 ? "y" : "ies"}`)];
   if (!head.finished) chips.push(chip(session.thin ? "not finished: shown to its last chunk" : "not finished: followed to its last chunk", "warn"));
   else if (!head.sound || session.gaps().length > 0) chips.push(chip("damaged", "fail"));
+  if (head.cut_short) chips.push(chip("cut short", "warn"));
   if (rows.lost.some((count) => count > 0)) chips.push(chip("bodies lost", "fail"));
   return chips;
 }
@@ -21,6 +22,7 @@ function notices_of(page) {
     const who = two ? `${"AB"[i]}: ` : "";
     const { head, thin } = session;
     if (!head.sound && head.finished) notices.push(["fail", `${who}${head.summary}`]);
+    if (head.cut_short) notices.push(["warn", `${who}The session may have gone on: ${head.cut_short}`]);
     for (const [first, last, why] of session.gaps()) notices.push(["fail", `${who}steps ${first} to ${last}: ${why}`]);
     if (session.note) notices.push(["fail", `${who}${session.note}`]);
     if (session.unread && session.unread !== session.note) notices.push(["fail", `${who}The timeline was not read: ${session.unread}`]);

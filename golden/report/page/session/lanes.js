@@ -11,7 +11,7 @@ const share_text = (rows, i) => (rows.read[i] ? `${rows.sleeping[i]} of ${rows.b
 
 /// kind: "line", "area", "bars"; of(rows, i): the number, or null. parts: a line ends where there is no number; without it,
 /// only where the step was not read. Lanes without a number anywhere are left out.
-export const kLanes = [
+const kLanes = [
   { name: "sleeping", kind: "area", of: (rows, i) => (rows.read[i] ? rows.sleeping[i] : null), words: share_text,
     top: (rows) => largest([1, ...sampled(rows.bodies)]) },
   { name: "contacts", kind: "line", of: (rows, i) => rows.contacts_told(i), words: (rows, i) => count(rows.contacts_told(i)), late: true },
@@ -25,6 +25,13 @@ export const kLanes = [
   { name: "bodies lost", kind: "bars", of: (rows, i) => rows.lost[i] || null, words: (rows, i) => count(rows.lost[i]),
     bad: true, only_if_any: true },
 ];
+
+// What method thesis counts in a step; the panel has the contact points of its last substep.
+const kCollisions = { name: "collisions resolved", title: "collisions resolved in all substeps of a step" };
+
+/// The lanes of a session with this head.
+export const session_lanes = (head) =>
+  kLanes.map((lane) => (lane.name === "contacts" && head.counts_collisions ? { ...lane, ...kCollisions } : lane));
 
 function sampled(column) {
   const stride = Math.ceil(column.length / 5000) || 1;

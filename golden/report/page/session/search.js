@@ -79,7 +79,7 @@ export function parse_query(text, channels = []) {
   const units = by_name(Object.fromEntries(channels.map(({ name, unit }) => [name, unit])));
   const trimmed = text.trim();
   if (trimmed === "") return { kind: "none" };
-  const step = /^step\s+(\d+)$/i.exec(trimmed);
+  const step = /^step\s+([-+]?\d+)$/i.exec(trimmed);
   if (step) return { kind: "step", step: Number(step[1]) };
   const found = /^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(trimmed);
   if (!found) return { kind: "body", text: trimmed };

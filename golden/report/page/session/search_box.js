@@ -25,6 +25,18 @@ function rounded({ head, thin }, unit) {
   return searched + (unit === "m" ? `; places are rounded to ${metres(thin.quantum)}` : `; speeds are made of places rounded to ${metres(thin.quantum)}`);
 }
 
+/// What the contacts of a step are, where they are not the contact points that the panel shows.
+function counted({ head }, quantity) {
+  return quantity === "contacts" && head.counts_collisions ? "; contacts are the collisions resolved in all substeps" : "";
+}
+
+/// Where Enter goes for "step 120": {step, words}; step null where there is none.
+function way_to(asked, steps) {
+  if (asked < steps.first || asked > steps.last) return { step: null, words: `no step ${asked}: the session has steps ${steps.first} to ${steps.last}` };
+  const step = steps.at_or_before(asked);
+  return { step, words: `Enter goes to step ${step}${step === asked ? "" : `, the last before step ${asked} that this page has`}` };
+}
+
 export function make_search(page) {
   const input = element("input", { type: "search", placeholder: "speed > 5, wall 0, step 120", autocomplete: "off", spellcheck: false });
   input.setAttribute("aria-label", "search for steps by a condition, or for a body by id or name");
@@ -52,7 +64,8 @@ export function make_search(page) {
       page.set_hits([]);
       return [];
     }
-    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), query.unit, timeline_done, thinned(page.sessions[0]));
+    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), query.unit, timeline_done,
+      counted(page.sessions[0], query.quantity) + thinned(page.sessions[0]));
   };
   /// Whether nothing can be added to what a search of single bodies has read.
   const asks_finished = (two) => page.sessions.slice(0, two ? 2 : 1).every(({ head }) => head.finished || !page.served);
@@ -148,7 +161,7 @@ export function make_search(page) {
       else show_channel_runs();
       return [];
     }
-    said.value = query.kind === "wrong" ? query.words : query.kind === "step" ? `Enter goes to step ${query.step}` : "";
+    said.value = query.kind === "wrong" ? query.words : query.kind === "step" ? way_to(query.step, page.steps).words : "";
     list.replaceChildren();
     page.set_hits([]);
     return [];
@@ -158,8 +171,11 @@ export function make_search(page) {
     if (event.key === "Escape") input.blur();
     if (event.key !== "Enter") return;
     event.preventDefault();
-    if (query.kind === "step") page.player.seek(query.step);
-    else if (query.kind === "steps" || query.kind === "body steps" || query.kind === "channel steps") page.next_hit(event.shiftKey ? -1 : 1);
+    if (query.kind === "step") {
+      const { step } = way_to(query.step, page.steps);
+      if (step !== null) page.player.seek(step);
+    }
+    if (query.kind === "steps" || query.kind === "body steps" || query.kind === "channel steps") page.next_hit(event.shiftKey ? -1 : 1);
     else if (query.kind === "body") {
       const [row] = run();
       if (row !== undefined) page.select(page.sessions[0].bodies.id(row));
@@ -184,6 +200,8 @@ export function make_search(page) {
         const before = page.hit;
         show_runs();
         page.hit = before;
+      } else if (query.kind === "step") {
+        said.value = way_to(query.step, page.steps).words;
       } else if (query.kind === "body steps") {
         show_body_runs(false);
       } else if (query.kind === "channel steps") {

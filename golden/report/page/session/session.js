@@ -4,7 +4,7 @@ import { make_player, Steps } from "../viewer/player.js";
 import { Drawing, kLostMax } from "./drawing.js";
 import { make_header } from "./header.js";
 import { listen_keys } from "./keys.js";
-import { bound_lanes, channel_lanes, kLanes, separation_lane } from "./lanes.js";
+import { bound_lanes, channel_lanes, separation_lane, session_lanes } from "./lanes.js";
 import { Plots } from "./plots_chosen.js";
 import { Side } from "./side.js";
 import { make_search } from "./search_box.js";
@@ -92,8 +92,8 @@ export class SessionPage {
   }
 
   set_lanes() {
-    const { rows } = this.sessions[0];
-    const lanes = [...(this.plots?.lanes() ?? []), ...bound_lanes(this.bounds), ...kLanes, ...channel_lanes(rows)];
+    const { head, rows } = this.sessions[0];
+    const lanes = [...(this.plots?.lanes() ?? []), ...bound_lanes(this.bounds), ...session_lanes(head), ...channel_lanes(rows)];
     if (this.difference?.separation) lanes.unshift(separation_lane(this.difference.separation));
     this.timeline.set_lanes(lanes);
     this.timeline.draw();
