@@ -48,6 +48,15 @@ struct Description {
   std::string name;
   std::optional<replay::Shape> shape;
 };
+/// A body has the edge lengths of its shape, but for roundings in the computation of them.
+void check_size(const sim::Vec3& given, const sim::Vec3& of_shape) {
+  constexpr double kRounding = 1e-9;
+  if ((given - of_shape).cwiseAbs().maxCoeff() <= kRounding * of_shape.cwiseAbs().maxCoeff()) return;
+  const auto text = [](const sim::Vec3& v) { return exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()); };
+  raise(bad_input("size: found " + text(given) + " m, wanted " + text(of_shape) +
+                  " m, which the shape has; it need not be given"));
+}
+
 Description take_description(py::dict& fields) {
   Description found;
   if (const py::object name = get(fields, "name"); !name.is_none()) found.name = text_of(name, "name");
@@ -55,7 +64,12 @@ Description take_description(py::dict& fields) {
     if (!py::isinstance<py::dict>(shape)) raise(bad_input("shape: wanted a dictionary, as tumble.sphere() makes one"));
     found.shape = shape_of(shape);
     check(check_shape(*found.shape));
-    if (!fields.contains("size")) fields["size"] = tuple_of(size_of(*found.shape));
+    const sim::Vec3 size = size_of(*found.shape);
+    if (!fields.contains("size")) {
+      fields["size"] = tuple_of(size);
+    } else {
+      check_size(vec3_of(fields["size"], "size"), size);
+    }
   }
   for (const char* key : {"name", "shape"}) {
     if (fields.contains(key)) PyDict_DelItemString(fields.ptr(), key);
@@ -127,6 +141,7 @@ void EngineRecorder::input(const py::dict& fields) {
   Description description = take_description(own);
   const sim::Command command = command_of(own);
   guard(log.input(command));
+  if (const auto* gone = std::get_if<sim::Remove>(&command)) removed_.push_back(gone->id);
   const auto* thrown = std::get_if<sim::Throw>(&command);
   if (thrown == nullptr || (description.name.empty() && !description.shape)) return;
   replay::BodyInfo info{thrown->box.id, std::move(description.name), {}};

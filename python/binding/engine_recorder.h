@@ -51,7 +51,8 @@ class EngineRecorder {
   std::string path_;
   std::vector<replay::Channel> channels_;  // ascending names, as the log has them
   std::unique_ptr<replay::EngineLog> log_;
-  bool busy_ = false;  // a thread of Python is in a call; changed under Python's lock
+  std::vector<sim::BodyId> removed_;  // by the inputs of the coming step
+  bool busy_ = false;                 // a thread of Python is in a call; changed under Python's lock
   bool failed_ = false;
   bool finished_ = false;
 };

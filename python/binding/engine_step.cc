@@ -74,8 +74,27 @@ struct Value {
 };
 
 /// A value of the world, or a dictionary by body, or one by pair of bodies.
+/// The bodies whose values a step may have: those that it begins with, and those that its inputs removed.
+struct StepBodies {
+  const sim::Bodies& now;
+  const std::vector<sim::BodyId>& removed;
+};
+
+/// A pair is of two of them.
+void check_pair(const std::vector<sim::BodyId>& pair, const std::string& channel, const StepBodies& bodies) {
+  if (pair.size() != 2) raise(bad_input(channel + ": wanted pairs of ids"));
+  for (const sim::BodyId id : pair) {
+    if (bodies.now.find(id) || std::ranges::find(bodies.removed, id) != bodies.removed.end()) continue;
+    raise(
+        bad_input(channel + ": found a value of body " + std::to_string(id) + ", wanted the id of a body that exists"));
+  }
+  if (pair[0] == pair[1]) {
+    raise(bad_input(channel + ": found a pair of body " + std::to_string(pair[0]) + " with itself, wanted two bodies"));
+  }
+}
+
 void add_values(const std::vector<replay::Channel>& channels, const py::handle& name, const py::handle& given,
-                std::vector<Value>& values) {
+                const StepBodies& bodies, std::vector<Value>& values) {
   const std::string text = text_of(name, "channels");
   const auto found = std::ranges::find(channels, text, &replay::Channel::name);
   if (found == channels.end()) {
@@ -99,7 +118,7 @@ void add_values(const std::vector<replay::Channel>& channels, const py::handle& 
       owner.a = whole_of(key, "channel " + in_quotes(text));
     } else {
       const std::vector<sim::BodyId> pair = ids_of(key, "channel " + in_quotes(text));
-      if (pair.size() != 2) raise(bad_input("channel " + in_quotes(text) + ": wanted pairs of ids"));
+      check_pair(pair, "channel " + in_quotes(text), bodies);
       owner = {pair[0], pair[1]};
     }
     values.push_back({channel, channel_value_of(value, *found), owner});
@@ -154,7 +173,7 @@ void EngineRecorder::step(const py::dict& fields) {
   std::vector<Value> values;
   if (has(fields, "channels")) {
     const py::dict given = fields["channels"];
-    for (const auto& [name, value] : given) add_values(channels_, name, value, values);
+    for (const auto& [name, value] : given) add_values(channels_, name, value, {log.bodies(), removed_}, values);
   }
   std::vector<replay::EngineContact> contacts;
   if (has(fields, "contacts")) contacts = contacts_of(fields["contacts"]);
@@ -194,6 +213,7 @@ void EngineRecorder::step(const py::dict& fields) {
     return log.end_step(dt);
   });
   guard(written);
+  removed_.clear();
 }
 
 void add_engine_recorder(py::module_& module) {

@@ -50,16 +50,23 @@ class Steps:
         for number in self._numbers:
             yield Step(self._log, self._log._file.step(number))
 
+    def _number(self, index):
+        number = step_number(self._log, index)
+        from_end = operator.index(index)
+        if from_end < 0 and len(self._numbers) + from_end >= 0:
+            return self._numbers[from_end]
+        if from_end < 0 or number not in self._numbers:
+            raise IndexError(f"step {index} is not in this run of steps")
+        return number
+
     def __getitem__(self, index):
-        """Step number ``index``, or a shorter run."""
+        """Step number ``index``, counted from the end of the run where it is negative; or a shorter run."""
         if isinstance(index, slice):
             wanted = step_range(self._log, index)
             if self._numbers != range(self._log.first_step, self._log.last_step + 1):
                 raise BadInput("a run of steps cannot be cut again; cut log.steps, whose indices are numbers of steps")
             return Steps(self._log, wanted)
-        number = step_number(self._log, index)
-        if number not in self._numbers:
-            raise IndexError(f"step {index} is not in this run of steps")
+        number = self._number(index)
         return Step(self._log, self._log._file.step(number))
 
 

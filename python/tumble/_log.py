@@ -167,7 +167,8 @@ class Log:
     def counters(self):
         """Counts and energies of all steps, one row each from ``first_step + 1`` on: a structured array with step,
         time (s since the log's first state), dt (s), pairs, contacts, substeps, kinetic, potential, inputs, removed
-        (J). A log of another engine has no pairs, contacts, substeps and removed."""
+        (J). contacts: of method layered the contact points of a step, of thesis the collisions resolved in all its
+        substeps. A log of another engine has no pairs, contacts, substeps and removed."""
         columns = {name: column for name, column in self._columns().items() if name != "hash"}
         table = numpy.empty(len(columns["step"]), [(name, column.dtype) for name, column in columns.items()])
         for name, column in columns.items():

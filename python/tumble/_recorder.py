@@ -24,7 +24,7 @@ class Recorder:
 
     bodies: a dictionary each, with id (1, 2, ... in order where it is left out), size (m), mass (kg), position,
     orientation, velocity, spin, static, friction, friction_dynamic, restitution, frozen, texture, name, and shape, as
-    `sphere()` makes one; all optional. channels: names of values that the engine logs beside the states, each with its
+    `sphere()` makes one, which gives the size; all optional. channels: names of values that the engine logs beside the states, each with its
     unit, or with a dictionary of type ("float64", "float32", "int64", "uint64", "bytes", "text"), scope ("world",
     "body", "pair") and unit. phases: names of the phases that `step(phases=...)` gives a hash for, each once. precision:
     the engine's numbers. One thread at a time.
@@ -86,7 +86,7 @@ class Recorder:
         are not static, ascending. Any array of numbers that float64 holds exactly will do. Without orientation or spin
         the bodies keep theirs. dt: s, by default the recorder's, until one is given.
 
-        channels: values by name; a dictionary by id, or by pair of ids, for a channel of bodies or pairs. contacts:
+        channels: values by name; a dictionary by id, or by pair of ids of two bodies, for a channel of bodies or pairs. contacts:
         rows of (a, b, position, normal, depth, impulse), b None for the world. notes: texts. snapshot: bytes of the
         engine's own state, or a dictionary of such bytes by name. phases: a hash, 0 to 2^64 - 1, for each phase.
         """

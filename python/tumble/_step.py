@@ -86,8 +86,9 @@ class Step:
 
     @property
     def counters(self):
-        """Counts and energies (J): pairs, contacts, substeps, kinetic, potential, inputs, removed; of another engine
-        kinetic, potential and inputs. None for the first state of a log, which no step made."""
+        """Counts and energies (J): pairs, contacts (of method layered its contact points, of thesis the collisions
+        resolved in all substeps), substeps, kinetic, potential, inputs, removed; of another engine kinetic, potential
+        and inputs. None for the first state of a log, which no step made."""
         if self.step == self._log.first_step:
             return None
         counters = Named(f"counter of step {self.step}", self._data.counters(self._log._file))

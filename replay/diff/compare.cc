@@ -152,6 +152,7 @@ class Diff {
                              one_scene_,
                              worlds_,
                              report_.zeros,
+                             report_.states_read,
                              names_of(channels_),
                              left_out(channels_, derived_, imported_, tolerances_)};
     report_.scope = scope_of(a_, b_, tolerances_, facts);
@@ -211,6 +212,7 @@ class Diff {
       if (!b.ok()) return b.error();
       expected = **a;
       actual = **b;
+      ++report_.states_read;
     }
     judge(expected, actual);
     return {};

@@ -33,6 +33,7 @@ struct DiffReport {
   std::optional<Divergence> built;        ///< of worlds that differ although the scenes do not: the first property
   OnlyInOne only_in;                      ///< compared by nothing; the two are not identical
   std::vector<HeaderDifference> headers;  ///< differences of the headers; they decide nothing
+  std::uint64_t states_read = 0;          ///< steps whose states were read because their hashes differ
   std::uint64_t zeros = 0;  ///< of states of another engine, whose sign alone differs; they count as equal
   ComparisonScope scope;
   std::vector<std::string> notes;  ///< for people: a log that is not whole, bodies whose values are no numbers

@@ -94,7 +94,10 @@ class Scope {
     }
     compare("inputs");
     if (!tolerances_.exact()) {
-      leave_out("phase hashes, state hashes and counters: they differ with one bit, so tolerances leave them out");
+      leave_out(
+          facts_.hashes_only
+              ? "phase hashes, state hashes and counters where they differ: tolerances leave them out"
+              : "phase hashes, state hashes and counters: they differ with one bit, so tolerances leave them out");
       return;
     }
     compare("counters");
@@ -113,6 +116,9 @@ class Scope {
     compare("the state of step " + std::to_string(facts_.from));
     if (tolerances_.exact() && facts_.zeros == 0) compare("state hashes");
     if (facts_.hashes_only) {
+      if (!tolerances_.exact()) compare("state hashes where they are equal");
+      if (facts_.states_read > 0)
+        compare("states of " + count_text(facts_.states_read, "step") + " whose hashes differ");
       leave_out("the payloads of chunks with equal hashes: not read, so damage in them is not seen");
       return;
     }

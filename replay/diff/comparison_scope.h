@@ -50,6 +50,7 @@ struct DiffFacts {
   bool one_scene = false;             ///< scenes and method versions are equal, so complete states were compared
   std::uint64_t worlds = 0;           ///< complete states compared
   std::uint64_t zeros = 0;            ///< whose sign alone differs, counted as equal
+  std::uint64_t states_read = 0;      ///< steps whose states were read because their hashes differ
   std::vector<std::string> channels;  ///< names of those compared
   std::vector<std::string> left_out;  ///< channels and derived values that were not compared, each with its reason
 };

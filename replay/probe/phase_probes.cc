@@ -73,7 +73,7 @@ class PhaseProbes : public sim::Observer {
     Sites& sites = sites_[phase];
     write_bodies(sites, world.bodies());
     if (moves_solver_bodies(phases_[phase].name)) write_solver_bodies(sites, world);
-    write_contacts(sites, phase, world);
+    write_contacts(sites, substep, phase, world);
     // Last: a probe of one value names its statement, the hash of all of them the phase alone.
     hasher_.reset();
     phases_[phase].hash(world.state(), world.scratch(), hasher_);
@@ -82,12 +82,16 @@ class PhaseProbes : public sim::Observer {
   }
 
  private:
-  void write_contacts(Sites& sites, std::size_t phase, const sim::World& world) {
-    // Before these phases the memory holds the contacts of the step before, of bodies that may be gone.
+  void write_contacts(Sites& sites, std::uint32_t substep, std::size_t phase, const sim::World& world) {
+    const bool is_thesis = world.state().def.method == sim::Method::kThesis;
+    // Before these phases the memory holds the contacts of the step before, of bodies that may be gone. Method thesis
+    // finds contacts in each substep; before, their pairs are the new ones already and their depths the old ones.
+    if (is_thesis && substep != substep_) has_contacts_ = false;
+    substep_ = substep;
     has_contacts_ = has_contacts_ || std::string_view(phases_[phase].name) == "find_manifolds" ||
                     std::string_view(phases_[phase].name) == "find_contacts";
     if (!has_contacts_) return;
-    if (world.state().def.method == sim::Method::kThesis) {
+    if (is_thesis) {
       write_thesis_contacts(sites, world);
     } else {
       write_manifolds(sites, world);
@@ -181,6 +185,7 @@ class PhaseProbes : public sim::Observer {
   std::deque<std::string> names_;
   std::vector<Sites> sites_;
   Hasher hasher_;
+  std::uint32_t substep_ = 0;
   bool has_contacts_ = false;
 };
 

@@ -134,6 +134,20 @@ TEST(Export, OfADamagedLogSaysWhatCanBeExported) {
   EXPECT_EQ(none.err.find("--steps"), std::string::npos) << none.err;
 }
 
+TEST(Export, ListsWhatOfTheSceneHasNoPlace) {
+  const Workshop shop;
+  shop.record_small("s");
+  for (const char* file : {"a.csv", "a.npz", "a.glb", "a.mcap"}) {
+    const Outcome run = shop.run({"export", "s.tumble", "-o", file, "--json"});
+    ASSERT_EQ(run.exit, 0) << run.err;
+    const std::string left_out = nlohmann::json::parse(run.out)["left_out"].dump();
+    const bool is_scene = std::string(file) == "a.glb";  // which has a light
+    for (const char* part : {"title, category", "the method and its parameters", is_scene ? "text" : "light"}) {
+      EXPECT_NE(left_out.find(part), std::string::npos) << file << ' ' << part << ": " << left_out;
+    }
+  }
+}
+
 /// Bodies that came in lost steps have no sizes; those that went in lost steps have no states.
 TEST(Export, BehindLostStepsOnlyKnownBodies) {
   const Workshop shop;

@@ -222,3 +222,23 @@ def test_ctrl_c_while_the_program_records(tmp_path):
 def test_a_path_without_a_name_is_named(argument, call):
     with pytest.raises(tumble.BadInput, match=f"^{argument}: found an empty name, wanted the path of a file$"):
         call()
+
+
+@pytest.mark.parametrize(("pair", "text"), [
+    ((1, 77), "of body 77, wanted the id of a body that exists"),
+    ((77, 1), "of body 77, wanted the id of a body that exists"),
+    ((2, 2), "found a pair of body 2 with itself, wanted two bodies"),
+])
+def test_a_value_of_a_pair_is_of_two_bodies(tmp_path, pair, text):
+    path = tmp_path / "x.tumble"
+    here = [(0, 0, 1), (3, 0, 1)]
+    with tumble.Recorder(path, engine="test", bodies=[{}, {}], channels={"pull": {"scope": "pair"}}) as log:
+        with pytest.raises(tumble.BadInput, match=f'channel "pull": .*{text}'):
+            log.step(position=here, velocity=here, channels={"pull": {pair: 1.0}})
+        assert log.coming_step == 1, "the log goes on"
+        log.step(position=here, velocity=here, channels={"pull": {(2, 1): 1.0}})
+        log.remove(2)
+        log.step(position=here[:1], velocity=here[:1], channels={"pull": {(1, 2): 0.0}})
+        with pytest.raises(tumble.BadInput, match="of body 2, wanted"):
+            log.step(position=here[:1], velocity=here[:1], channels={"pull": {(1, 2): 0.0}})
+    assert tumble.Log(path).last_step == 2

@@ -95,6 +95,11 @@ def test_steps_are_a_sequence(wall):
     assert len(log) == len(log.steps) == 81 and log.first_step == 0
     assert [step.step for step in log.steps[10:20:3]] == [10, 13, 16, 19]
     assert log.steps[-1].step == 80
+    run = log.steps[10:20:3]
+    assert (run[-1].step, run[-4].step, run[13].step, log.steps[::-1][-1].step) == (19, 10, 13, 0)
+    for elsewhere in (-5, 11):
+        with pytest.raises(IndexError, match="not in this run of steps"):
+            run[elsewhere]
     for wrong in (81, -82):
         with pytest.raises(IndexError, match="has the steps 0 to 80"):
             log.steps[wrong]

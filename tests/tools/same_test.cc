@@ -58,6 +58,39 @@ TEST(SameCommand, BriefSaysThatPayloadsWereNotRead) {
   EXPECT_EQ(all["read"], "every byte of both logs");
 }
 
+/// Two sessions of 40 steps that differ from step 5 on, by less than the tolerances of kAllowing.
+void record_near(const Workshop& shop) {
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "input.1.velocity=[0.0, 6.0000001, 0.0]"});
+}
+const std::vector<std::string> kAllowing = {
+    "diff",        "a.tumble", "b.tumble",    "--tolerance",   "position=9",  "--tolerance",      "velocity=9",
+    "--tolerance", "spin=9",   "--tolerance", "orientation=3", "--tolerance", "throw.velocity=1", "--brief"};
+
+TEST(SameCommand, BriefWithTolerancesSaysThatStatesWereRead) {
+  const Workshop shop;
+  record_near(shop);
+  const Outcome near = shop.run(kAllowing);
+  EXPECT_EQ(near.exit, 0) << near.out << near.err;
+  EXPECT_TRUE(says(near,
+                   "same within tolerances: 40 steps, by hashes, and the states of 36 steps whose hashes differ; "
+                   "other payloads not read"))
+      << near.out;
+  EXPECT_TRUE(says(near, "state hashes where they are equal, states of 36 steps whose hashes differ")) << near.out;
+  std::vector<std::string> words = kAllowing;
+  words.emplace_back("--json");
+  const ordered_json json = ordered_json::parse(shop.run(words).out);
+  EXPECT_EQ(json["read"], "hashes, and the states of 36 steps whose hashes differ; other payloads not read");
+  const std::string whole = shop.read("b.tumble");
+  for (std::size_t at = 3000; at < whole.size(); at += (whole.size() - 3000) / 9) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 16);
+    shop.write("b.tumble", bytes);
+    const Outcome damaged = shop.run(kAllowing);
+    EXPECT_EQ(damaged.exit, 3) << "byte " << at << " of " << whole.size() << ": " << damaged.out << damaged.err;
+  }
+}
+
 TEST(SameCommand, IdenticalListsWhatWasCompared) {
   const Workshop shop;
   shop.record_small("a");

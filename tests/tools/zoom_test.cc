@@ -115,6 +115,33 @@ TEST(Zoom, TwoSessionsOfOurOwnEngineToThePhase) {
   EXPECT_EQ(found["only_a"]["count"], 0);
 }
 
+// Another friction is the first difference where the body is thrown; it computes another value only where it slides.
+TEST(Zoom, BehindInputsThatDifferItTakesTheFirstStepComputedOtherwise) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "material.friction=0.4000001"});
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--zoom", "--json"});
+  EXPECT_EQ(outcome.exit, 1) << outcome.err;
+  const ordered_json json = parsed(outcome);
+  ASSERT_EQ(json["first"]["phase"], "inputs") << json["first"];
+  EXPECT_GT(json["zoom"]["step"], json["first"]["step"]);
+  EXPECT_LE(json["zoom"]["step"], json["effect"]["step"]);
+  EXPECT_TRUE(json["zoom"]["first"].is_object()) << "a probe differs in the step that was computed otherwise";
+  const Outcome text = shop.run({"diff", "a.tumble", "b.tumble", "--zoom"});
+  EXPECT_TRUE(says(text.out, ", the first whose state or phases have another hash: ")) << text.out;
+}
+
+// Method thesis finds contacts in each substep: of the pairs of a substep that has none yet there is no depth to write.
+TEST(Zoom, TakesEveryStepOfMethodThesis) {
+  const Workshop shop;
+  shop.record_small("a", {"--set", "world.method=\"thesis\""});
+  for (int step = 1; step <= 40; ++step) {
+    const Outcome outcome =
+        shop.run({"replay", "a.tumble", "--probes", "probes", "--probe-step", std::to_string(step)});
+    ASSERT_EQ(outcome.exit, 0) << "step " << step << ": " << outcome.err;
+  }
+}
+
 TEST(Groups, NameTheOddLogOfMany) {
   const Workshop shop;
   for (const char* name : {"a.tumble", "b.tumble", "d.tumble"}) record_toy(shop, name);

@@ -120,10 +120,10 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   if (difference) name_bodies(a, b, difference->first);
   if (difference && difference->effect) name_bodies(a, b, *difference->effect);
   replay::name_by_own_axes(a.header(), b.header(), *report, difference ? &*difference : nullptr);
-  const std::string read = options.brief ? "hashes; payloads not read" : read_of(a, b);
+  const std::string read = options.brief ? read_in_brief(*report) : read_of(a, b);
   std::optional<Zoom> zoom;
   if (options.zoom && report->first) {
-    Result<Zoom> found = zoom_into(a, b, report->first->step, options.programs);
+    Result<Zoom> found = zoom_into(a, b, *report->first, options.programs);
     if (!found.ok()) return found.error();
     zoom = *std::move(found);
   }
@@ -222,7 +222,8 @@ Action declare_diff(Arguments& arguments) {
           .excludes(step);
   arguments
       .flag("--brief", options->brief,
-            "Only find the first difference, by the hashes: payloads are not read, damage in them is not seen")
+            "Only find the first difference, by the hashes: payloads are read only where hashes differ, and damage in "
+            "the others is not seen")
       .excludes(step)
       .excludes(plot);
   constexpr double kTimeMax = 1e9, kLengthMax = 1e6;

@@ -34,9 +34,10 @@ std::string same_text(const DiffQuestion& question, const replay::DiffReport& re
            std::to_string(report.from) + " alone: there is no step to compare";
   }
   const std::uint64_t zeros = report.zeros;
-  const std::string words = question.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
-  if (question.brief) return words + ", by hashes; payloads not read";
-  if (zeros > 0) return words + ", but for the sign of " + count_text(zeros, "zero");
+  std::string words = question.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
+  if (zeros > 0) words += ", but for the sign of " + count_text(zeros, "zero");
+  if (question.brief) return words + ", by " + read_in_brief(report);
+  if (zeros > 0) return words;
   return words + (question.exact_bits ? ", " + report.scope.every_bit() : "");
 }
 
@@ -97,6 +98,12 @@ std::string next_command(const DiffQuestion& question, const Difference& differe
 }
 
 }  // namespace
+
+std::string read_in_brief(const replay::DiffReport& report) {
+  if (report.states_read == 0) return "hashes; payloads not read";
+  return "hashes, and the states of " + count_text(report.states_read, "step") +
+         " whose hashes differ; other payloads not read";
+}
 
 void print_result(const DiffQuestion& question, const replay::DiffReport& report, const Difference& difference,
                   const Further& further) {

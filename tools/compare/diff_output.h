@@ -33,6 +33,9 @@ struct Further {
   std::optional<Parting> parting;
 };
 
+/// What --brief read: hashes, and states where hashes did not decide.
+std::string read_in_brief(const replay::DiffReport& report);
+
 /// Prints the result of `diff` of two logs, as text or as JSON.
 void print_result(const DiffQuestion& question, const replay::DiffReport& report, const Difference& difference,
                   const Further& further);

@@ -1,5 +1,6 @@
 #include "tools/engine/zoom.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -113,9 +114,33 @@ Status check_probes(const replay::ProbeFile& file, const std::string& command, s
                    (file.cut.empty() ? "the step passes none" : file.cut) + "; command: " + command);
 }
 
+/// The step to compute again. Where inputs are the first difference, nothing was computed otherwise yet: the step is
+/// the next one whose phases or state have another hash.
+Result<std::uint64_t> step_to_zoom(replay::LogReader& a, replay::LogReader& b, const replay::Divergence& first) {
+  if (first.phase != "inputs") return first.step;
+  const std::uint64_t last = std::min(a.last_step(), b.last_step());
+  for (std::uint64_t k = first.step; k <= last; ++k) {
+    if (!a.holds(k) || !b.holds(k)) continue;
+    const Result<const replay::StepRecord*> in_a = a.read_hashes(k);
+    if (!in_a.ok()) return in_a.error();
+    const Result<const replay::StepRecord*> in_b = b.read_hashes(k);
+    if (!in_b.ok()) return in_b.error();
+    const bool by_phase = replay::same_phase_words(a.header(), b.header(), k);
+    if ((*in_a)->state_hash != (*in_b)->state_hash) return k;
+    if (by_phase && (*in_a)->phase_words != (*in_b)->phase_words) return k;
+  }
+  return bad_input(
+      "--zoom: the sessions differ in their inputs alone: no state and no phase has another hash, so no "
+      "line computed another value");
+}
+
 }  // namespace
 
-Result<Zoom> zoom_into(replay::LogReader& a, replay::LogReader& b, std::uint64_t step, const ZoomPrograms& programs) {
+Result<Zoom> zoom_into(replay::LogReader& a, replay::LogReader& b, const replay::Divergence& first,
+                       const ZoomPrograms& programs) {
+  const Result<std::uint64_t> found = step_to_zoom(a, b, first);
+  if (!found.ok()) return found.error();
+  const std::uint64_t step = *found;
   if (step <= a.first_state() || step <= b.first_state()) {
     return bad_input("--zoom: the sessions differ at their start, before any step that could write probes");
   }
@@ -132,6 +157,7 @@ Result<Zoom> zoom_into(replay::LogReader& a, replay::LogReader& b, std::uint64_t
   if (Status ok = check_probes(in_b->probes, in_b->command, step); !ok.ok()) return ok.error();
   Zoom zoom;
   zoom.step = step;
+  zoom.after_inputs = step != first.step;
   zoom.compared = replay::compare_probes(in_a->probes, in_b->probes);
   zoom.a = std::move(in_a->probes);
   zoom.b = std::move(in_b->probes);

@@ -23,6 +23,8 @@ struct ZoomPrograms {
 /// One step of two sessions, computed again with probes.
 struct Zoom {
   std::uint64_t step = 0;
+  bool after_inputs =
+      false;  ///< inputs of an earlier step are the first difference; this step has the first other hash
   replay::ProbeFile a, b;
   replay::ProbeComparison compared;
   std::string command_a, command_b;
@@ -30,9 +32,11 @@ struct Zoom {
   std::string stray_a, stray_b;
 };
 
-/// Runs both programs with probes in that step alone, and compares the probes. Errors: a program that cannot be run, no
-/// probes in that step, a step before the first of a log (kBadInput).
-Result<Zoom> zoom_into(replay::LogReader& a, replay::LogReader& b, std::uint64_t step, const ZoomPrograms& programs);
+/// Runs both programs with probes in the step of the first difference alone, and compares the probes. Where that is one
+/// of inputs, the step is the first from there on whose phases or state differ. Errors: a program that cannot be run,
+/// no probes in that step, a step before the first of a log, inputs that changed nothing (kBadInput).
+Result<Zoom> zoom_into(replay::LogReader& a, replay::LogReader& b, const replay::Divergence& first,
+                       const ZoomPrograms& programs);
 
 /// Prints the first probe that differs, with its place, and the probes just before that are the same.
 void print_zoom(const Zoom& zoom, const Sides& sides);

@@ -109,7 +109,8 @@ Json lacking_json(const ProbeFile& file, const std::vector<std::size_t>& only) {
 
 void print_zoom(const Zoom& zoom, const Sides& sides) {
   const replay::ProbeComparison& found = zoom.compared;
-  std::cout << "\nzoom into step " << zoom.step << ": " << zoom.a.probes.size() << " probes of " << sides.expected
+  const char* which = zoom.after_inputs ? ", the first whose state or phases have another hash: " : ": ";
+  std::cout << "\nzoom into step " << zoom.step << which << zoom.a.probes.size() << " probes of " << sides.expected
             << ", " << zoom.b.probes.size() << " of " << sides.actual << "; " << found.matched
             << " matched by name and key, " << found.different << " of them different\n";
   print_warnings(zoom, sides);

@@ -69,6 +69,7 @@ class GltfWriter : public ExportWriter {
   Status begin(const ExportPlan& plan) override {
     plan_ = &plan;
     left_out_ = {"channels, velocities, inputs, phase hashes, counters, contacts, notes and snapshots",
+                 "title, category and text of the scene, and the method and its parameters",
                  "digits: numbers are floats"};
     GltfJson json;
     json["asset"] = {{"version", "2.0"}, {"generator", "Tumble"}};

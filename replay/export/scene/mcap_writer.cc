@@ -44,7 +44,9 @@ class McapWriter : public ExportWriter {
 
   Status begin(const ExportPlan& plan) override {
     plan_ = &plan;
-    left_out_ = {"inputs, phase hashes, counters, contacts, notes and snapshots", "textures: bodies have mean colours"};
+    left_out_ = {"inputs, phase hashes, counters, contacts, notes and snapshots",
+                 "title, category, camera, light and text of the scene, and the method and its parameters",
+                 "textures: bodies have mean colours"};
     frames_ = frame_names(plan);
     const LogHeader& header = plan.header;
     const std::string engine =

@@ -96,6 +96,8 @@ std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
       })) {
     left_out.emplace_back("hulls and meshes: a table has the boxes around them");
   }
+  left_out.emplace_back("title, category, light and text of the scene, and the material of the ground");
+  if (!plan.header.engine) left_out.emplace_back("the method and its parameters: `import` makes the log of an engine");
   left_out.emplace_back("inputs, phase hashes, counters, contacts, notes and snapshots");
   return left_out;
 }
