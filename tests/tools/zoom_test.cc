@@ -132,10 +132,10 @@ TEST(Zoom, BehindInputsThatDifferItTakesTheFirstStepComputedOtherwise) {
 }
 
 // Method thesis finds contacts in each substep: of the pairs of a substep that has none yet there is no depth to write.
-TEST(Zoom, TakesEveryStepOfMethodThesis) {
+TEST(Zoom, TakesAStepOfMethodThesisInWhichContactsBegin) {
   const Workshop shop;
-  shop.record_small("a", {"--set", "world.method=\"thesis\""});
-  for (int step = 1; step <= 40; ++step) {
+  ASSERT_EQ(shop.run({"record", "brick_wall", "-o", "a.tumble", "--steps", "46", "--quiet"}).exit, 0);
+  for (int step = 40; step <= 46; ++step) {  // the thrown cube meets the wall within step 45
     const Outcome outcome =
         shop.run({"replay", "a.tumble", "--probes", "probes", "--probe-step", std::to_string(step)});
     ASSERT_EQ(outcome.exit, 0) << "step " << step << ": " << outcome.err;
