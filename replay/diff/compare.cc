@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "replay/diff/channel_difference.h"
+#include "replay/diff/difference_report.h"
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
@@ -23,14 +24,15 @@ class Diff {
   Diff(LogReader& a, LogReader& b, CheckedLogs& checked, const Tolerances& tolerances = {},
        Reading reading = Reading::kAll, std::uint64_t until = kNoLimit)
       : a_(a), b_(b), checked_(checked), tolerances_(tolerances), reading_(reading), until_(until) {
-    states_only_ = are_two_engines(a.header(), b.header());
-    same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
-    if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
+    values_in_one_ = one_holds_hashes_only(a.header(), b.header());
+    const bool hashes_in_both = holds_hashes_only(a.header()) && !values_in_one_;
+    states_only_ = are_two_engines(a.header(), b.header()) && !hashes_in_both;
+    if (!states_only_ && !values_in_one_) phases_ = match_phases(a.header(), b.header());
     imported_ = a.header().engine || b.header().engine;
     channels_ = match_channels(a.header(), b.header(), tolerances, states_only_);
     derived_ = derived_values(a.header(), b.header());
-    values_in_one_ = one_holds_hashes_only(a.header(), b.header());
     if (!states_only_ || values_in_one_) report_.only_in = only_in_one(a.header(), b.header());
+    if (hashes_in_both && a.first_state() != b.first_state()) leave_out_start_hashes();
   }
 
   Result<DiffReport> run(const Progress& progress) {
@@ -44,11 +46,12 @@ class Diff {
     for (std::uint64_t k = from + 1; k <= last; ++k) {
       if (a_.holds(k) && b_.holds(k)) ++report_.steps;
     }
-    report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
+    report_.headers = header_differences(a_, b_, tolerances_);
+    if (std::ranges::any_of(report_.headers, &HeaderDifference::acts)) add_notes_on_cuts(a_, b_, report_.notes);
     if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
     if (report_.first) return finished();
-    const bool one_chain = same_words_ && channels_.equal && a_.header().hashes == b_.header().hashes;
+    const bool one_chain = phases_.equal && channels_.equal && a_.header().hashes == b_.header().hashes;
     const Result<std::uint64_t> same =  // chains cover phase words and channels
         one_chain ? last_of_one_chain(a_, b_, from, last) : Result<std::uint64_t>(from);
     if (!same.ok()) return same.error();
@@ -81,13 +84,22 @@ class Diff {
     const Result<const VerifyReport*> in_b = checked_.check(b_, progress);
     if (!in_b.ok()) return in_b.error();
     const VerifyReport &of_a = **in_a, &of_b = **in_b;
-    if (of_a.lost) report_.notes.push_back(a_.name() + ": " + to_string(*of_a.lost, a_.header().axes()));
-    if (of_b.lost) report_.notes.push_back(b_.name() + ": " + to_string(*of_b.lost, b_.header().axes()));
-    no_contacts_ = !of_a.has_contacts || !of_b.has_contacts;
-    leave_out_contacts(of_a.has_contacts, of_b.has_contacts);
+    for (const auto& [log, checked] : {std::pair(&a_, &of_a), std::pair(&b_, &of_b)}) {
+      if (checked->lost && checked->lost->step <= until_)
+        report_.notes.push_back(log->name() + ": " + to_string(*checked->lost, log->header().axes()));
+    }
+    no_contacts_ = !of_a.has_contacts_by(until_) || !of_b.has_contacts_by(until_);
+    leave_out_contacts(of_a.has_contacts_by(until_), of_b.has_contacts_by(until_));
     keyframes_a_ = of_a.keyframes;
     keyframes_b_ = of_b.keyframes;
     return {};
+  }
+
+  /// Of two logs of hashes, one of which begins later: their only channels are hashes of two starts.
+  void leave_out_start_hashes() {
+    channels_ = ChannelMatch();
+    channels_.equal = false;
+    report_.only_in = {};
   }
 
   bool leave_out_contacts(bool in_a, bool in_b) {
@@ -98,7 +110,7 @@ class Diff {
   /// Of logs whose payloads were not read: whether their first difference is in contacts that one log alone tells.
   bool contacts_are_of_one() {
     if (reading_ != Reading::kHashes || !report_.first || report_.first->phase != "contacts") return false;
-    return leave_out_contacts(tells_contacts(a_), tells_contacts(b_));
+    return leave_out_contacts(tells_contacts(a_, until_), tells_contacts(b_, until_));
   }
 
   /// Compares the complete states that both logs hold, where scene and method are equal: then every part of them must
@@ -139,14 +151,14 @@ class Diff {
   /// Adds to the report what it speaks of.
   Result<DiffReport> finished() {
     if (!report_.first && !states_only_ && !values_in_one_ && reading_ == Reading::kAll) {
-      add_later_shapes(a_, b_, report_.only_in.a);
-      add_later_shapes(b_, a_, report_.only_in.b);
+      add_later_shapes(a_, b_, until_, report_.only_in.a);
+      add_later_shapes(b_, a_, until_, report_.only_in.b);
     }
     const DiffFacts facts = {report_.from,
                              std::min(report_.last_a, report_.last_b),
                              reading_ == Reading::kHashes,
                              states_only_,
-                             same_words_,
+                             phases_,
                              imported_,
                              no_contacts_,
                              one_scene_,
@@ -157,7 +169,8 @@ class Diff {
                              left_out(channels_, derived_, imported_, tolerances_)};
     report_.scope = scope_of(a_, b_, tolerances_, facts);
     if (until_ < std::max(a_.last_step(), b_.last_step())) {
-      report_.scope.not_compared.push_back("all behind step " + std::to_string(until_) + ", as asked");
+      report_.until = until_;
+      report_.scope.not_compared.push_back(report_.behind());
     }
     return std::move(report_);
   }
@@ -186,10 +199,10 @@ class Diff {
     if (values_in_one_ && (*a)->dt == (*b)->dt) return {};
     const bool by_states = states_only_ && channels_.compared.empty();
     if (by_states && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
-    StepRecord actual = **b;
-    leave_out_words(**a, actual);
-    if (same_step(channels_, **a, actual)) return {};
-    return compare_states(k, **a, actual);
+    StepRecord expected = **a, actual = **b;
+    leave_out_words(expected, actual);
+    if (same_step(channels_, expected, actual)) return {};
+    return compare_states(k, **a, **b);
   }
 
   /// Tolerances need states: hashes only tell that two states differ, not by how much.
@@ -219,9 +232,15 @@ class Diff {
   }
 
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
-  void judge(const StepRecord& expected, StepRecord& actual) {
+  void judge(StepRecord& expected, StepRecord& actual) {
     if (values_in_one_) actual.dt = std::exchange(actual, expected).dt;  // no more than the length is in both
     leave_out_words(expected, actual);
+    find_first(expected, actual);
+    if (contacts_are_of_one()) find_first(expected, actual);
+    if (report_.first && in_binary32(a_.header(), b_.header())) count_in_binary32(*report_.first);
+  }
+
+  void find_first(const StepRecord& expected, StepRecord& actual) {
     if (imported_) report_.zeros += forgive_zeros(expected, actual);
     forgive_derived(derived_, expected, actual);
     if (!tolerances_.exact()) {
@@ -235,27 +254,25 @@ class Diff {
     }
     const bool by_states = (imported_ || !tolerances_.exact()) && expected.has_states && actual.has_states;
     if (by_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
-    report_.first = first_difference(expected, actual, phases_);
+    const std::vector<std::string> phases = tolerances_.exact() ? phases_.names : std::vector<std::string>();
+    report_.first = first_difference(expected, actual, phases);
     add_extra_difference(channels_, expected, actual, tolerances_, report_.first);
-    if (contacts_are_of_one()) return judge(expected, actual);
-    if (report_.first && in_binary32(a_.header(), b_.header())) count_in_binary32(*report_.first);
   }
 
-  void leave_out_words(const StepRecord& expected, StepRecord& actual) const {
+  void leave_out_words(StepRecord& expected, StepRecord& actual) const {
     if (states_only_) actual.phase_words = expected.phase_words;
-    leave_out_phase_words(a_.header(), b_.header(), expected, actual);
+    match_phase_words(phases_, a_.header(), b_.header(), expected, actual);
   }
 
-  LogReader& a_;
-  LogReader& b_;
+  LogReader &a_, &b_;
   CheckedLogs& checked_;
   Tolerances tolerances_;
   Reading reading_;
-  std::uint64_t until_;  // the last step to compare
-  std::vector<std::string> phases_;
-  bool states_only_ = false;                         // of two engines, whose phases and counters cannot be compared
-  bool imported_ = false, no_contacts_ = false;      // a log, or both, by another engine; neither has a contact
-  bool values_in_one_ = false, same_words_ = false;  // the other holds hashes only; of phases
+  std::uint64_t until_;
+  PhaseMatch phases_;
+  bool states_only_ = false;                     // of two engines, whose phases and counters cannot be compared
+  bool imported_ = false, no_contacts_ = false;  // a log, or both, by another engine; neither has a contact
+  bool values_in_one_ = false;                   // the other holds hashes only
   std::vector<KeyframeHash> keyframes_a_, keyframes_b_;
   bool one_scene_ = false;                      // no value that a step depends on differs between the headers
   std::uint64_t worlds_ = 0;                    // complete states compared

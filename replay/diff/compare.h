@@ -39,6 +39,9 @@ struct DiffReport {
   std::vector<std::string> notes;  ///< for people: a log that is not whole, bodies whose values are no numbers
   std::uint64_t last_a = 0;        ///< last step
   std::uint64_t last_b = 0;
+  std::uint64_t until = kNoLimit;  ///< the last step to compare, where a log goes on behind it
+  /// "all behind step 40, as asked", where steps were left out; else empty.
+  [[nodiscard]] std::string behind() const;
   /// A sentence on equal steps of logs whose headers differ in values that a step depends on; empty without such.
   [[nodiscard]] std::string though() const;
   /// No difference in any step, the same last step, and no data that one log lacks.

@@ -9,6 +9,8 @@
 namespace tumble::replay {
 namespace {
 
+using std::string_literals::operator""s;
+
 constexpr std::size_t kRunsShown = 4;
 constexpr std::size_t kChannelsShown = 12;
 
@@ -50,7 +52,7 @@ class Scope {
     add_states();
     if (!facts_.channels.empty()) compare(channels_text(facts_.channels));
     const bool contacts = facts_.imported && !facts_.states_only && !facts_.no_contacts && tolerances_.exact();
-    if (contacts) compare("contacts of the engine");
+    if (contacts) compare(facts_.hashes_only ? "contacts of the engine, if it told any" : "contacts of the engine");
     for (const std::string& part : facts_.left_out) leave_out(part);
     add_tolerances();
     add_worlds();
@@ -71,8 +73,11 @@ class Scope {
   /// Nothing but hashes was recorded, so nothing but hashes was compared.
   void add_hashes_of_streams() {
     compare("step lengths");
+    const bool start = a_.first_state() == b_.first_state() && has_start_hashes(a_.header());
+    const bool both_starts = start && has_start_hashes(b_.header());
     compare("hashes of inputs, states, contacts, phase hashes and channels of " +
-            count_text(facts_.last - facts_.from, "step"));
+            (both_starts ? "the start and "s : "") + count_text(facts_.last - facts_.from, "step"));
+    if (!both_starts) leave_out("the start: its bodies, and inputs before the first step; a log holds no hash of it");
     leave_out("the values themselves: the recorders kept hashes only");
   }
 
@@ -101,8 +106,9 @@ class Scope {
       return;
     }
     compare("counters");
-    if (facts_.same_words) {
+    if (facts_.phases.equal || !facts_.phases.names.empty()) {
       if (!facts_.imported || !a.phases.empty()) add_phase_hashes(a_, b_, {facts_.from, facts_.last}, scope_);
+      if (!facts_.phases.all) leave_out("hashes of the phases that one log alone has");
     } else if (a.phases != b.phases) {
       leave_out("phase hashes and contact counts: the phases have not the same names");
     } else if (a.phase_hash_version == b.phase_hash_version) {

@@ -44,7 +44,7 @@ struct DiffFacts {
   std::uint64_t last = 0;             ///< the last step of both
   bool hashes_only = false;           ///< chunks with equal chains were not read
   bool states_only = false;           ///< two engines: dt and states alone
-  bool same_words = false;            ///< phase words mean the same in both
+  PhaseMatch phases;                  ///< whose words mean the same in both
   bool imported = false;              ///< one log at least is another engine's
   bool no_contacts = false;           ///< known: one engine at least told of no contact
   bool one_scene = false;             ///< scenes and method versions are equal, so complete states were compared

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/diff/input_difference.h"
 #include "replay/format/engine_column.h"
+#include "replay/log/hashes_only.h"
+#include "replay/log/told_values.h"
 #include "replay/session/state_source.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -40,22 +43,28 @@ void shown_in(const EngineAxes& axes, HeaderDifference& header) {
 /// The difference in the first of the rows in which bodies differ: a changed input or counter may show later. What
 /// diff_logs() counts as equal in another engine's states is none. None where both sessions end before.
 std::optional<Divergence> effect_in(LogReader& a, LogReader& b, const std::vector<SeparationRow>& rows) {
-  const bool same_words = same_phase_words(a.header(), b.header());
-  const std::vector<std::string> phases = same_words ? a.header().phases : std::vector<std::string>();
+  const PhaseMatch phases = match_phases(a.header(), b.header());
   const bool imported = a.header().engine || b.header().engine;
   StateSource in_a(a), in_b(b);
   for (const SeparationRow& row : rows) {
     if (row.bodies == 0) continue;
     const Result<const StepRecord*> one = in_a.read(row.step), other = in_b.read(row.step);
     if (!one.ok() || !other.ok()) return std::nullopt;
-    StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
-    actual.dt = (*one)->dt;
-    actual.inputs = (*one)->inputs;
-    leave_out_phase_words(a.header(), b.header(), **one, actual);
-    if (imported) forgive_zeros(**one, actual);
-    forgive_derived(derived_values(a.header(), b.header()), **one, actual);
-    std::optional<Divergence> found = first_difference(**one, actual, phases);
+    StepRecord expected = **one, actual = **other;
+    // What led into the step is the cause, and not asked for here; but no phase comes before it.
+    const bool by_inputs =
+        expected.dt != actual.dt || first_difference(std::span(expected.inputs), std::span(actual.inputs));
+    actual.dt = expected.dt;
+    actual.inputs = expected.inputs;
+    match_phase_words(phases, a.header(), b.header(), expected, actual);
+    if (imported) forgive_zeros(expected, actual);
+    forgive_derived(derived_values(a.header(), b.header()), expected, actual);
+    std::optional<Divergence> found = first_difference(expected, actual, phases.names);
     if (!found || !is_in_state(*found)) continue;
+    if (by_inputs) {
+      found->phase = "inputs";
+      found->substep.reset();
+    }
     if (in_binary32(a.header(), b.header())) count_in_binary32(*found);
     if (found->step == a.first_state()) found->phase = "start";
     return found;
@@ -77,9 +86,31 @@ std::string cause_of(const DiffReport& found, const Divergence& first) {
   const auto excused = std::ranges::find_if(found.headers, &HeaderDifference::excused);
   if (excused != found.headers.end()) return describe(*excused);
   if (first.phase == "start" || first.field == "steps") return "not in the headers: " + values_text(first);
+  if (first.pair && first.field == "contacts") {
+    return "step " + std::to_string(first.step) + " came out otherwise: contact of " +
+           std::to_string(first.pair->first) + " and " +
+           (first.pair->second == 0 ? "the ground" : std::to_string(first.pair->second)) + ": " + first.note;
+  }
   const bool result = first.phase == "step" || first.phase == "channels" || first.phase == "contacts";
   if (result) return "step " + std::to_string(first.step) + " came out otherwise: " + values_text(first);
   return "scene and inputs are equal; phase " + first.phase + " was computed otherwise";
+}
+
+std::vector<HeaderDifference> header_differences(const LogReader& a, const LogReader& b, const Tolerances& tolerances) {
+  std::vector<HeaderDifference> headers = header_differences(a.header(), b.header(), tolerances);
+  const auto told_no_dt = [](const LogReader& log) {
+    return log.header().engine && log.first_state() == log.last_step();
+  };
+  if (told_no_dt(a) || told_no_dt(b)) std::erase_if(headers, [](const auto& d) { return d.key == "world.dt"; });
+  return headers;
+}
+
+void add_notes_on_cuts(const LogReader& a, const LogReader& b, std::vector<std::string>& notes) {
+  for (const LogReader* log : {&a, &b}) {
+    ToldWatch told(log->header());
+    told.add(log->first_state(), log->header().declared.start);
+    if (const std::string cut = told.note(); !cut.empty()) notes.push_back(log->name() + ": " + cut);
+  }
 }
 
 Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, const DiffReport& found,
@@ -90,7 +121,12 @@ Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, const Dif
   report.location = locate_divergence(a, b, report.first);
   report.cause = cause_of(found, report.first);
   if (is_in_state(report.first) || report.first.field == "error") report.effect = report.first;
-  Result<DivergenceGrowth> growth = growth_between(a, b, report.first.step, progress);
+  if (lack_states(a.header(), b.header())) {
+    report.growth_unknown = "a log holds hashes and no places of bodies";
+    return report;
+  }
+  const std::uint64_t until = std::min(found.last_a, found.last_b);
+  Result<DivergenceGrowth> growth = growth_between(a, b, report.first.step, progress, until);
   if (growth.ok()) {
     report.growth = *std::move(growth);
     if (!report.effect) report.effect = effect_in(a, b, report.growth->separation.rows);
@@ -168,6 +204,10 @@ std::string DiffReport::though() const {
   if (first || acting == 0) return "";
   return "though the headers differ in " + count_text(static_cast<std::uint64_t>(acting), "value") +
          " that a step depends on: see the header lines";
+}
+
+std::string DiffReport::behind() const {
+  return until == kNoLimit ? "" : "all behind step " + std::to_string(until) + ", as asked";
 }
 
 std::string DiffReport::unequal(const std::string& name_a, const std::string& name_b) const {

@@ -67,13 +67,14 @@ void compare_metrics(const MeasuredSession& a, const MeasuredSession& b, std::ui
 }  // namespace
 
 Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
-                                        const Progress& progress) {
-  const std::uint64_t last = std::min(a.last_step(), b.last_step());
+                                        const Progress& progress, std::uint64_t until) {
+  const std::uint64_t last = std::min({a.last_step(), b.last_step(), until});
   const ChannelMatch channels = match_channels(a.header(), b.header(), {}, are_two_engines(a.header(), b.header()));
   Result<Separation> separation =
       measure_separation(steps_of(a), steps_of(b), first_difference, last, progress, &channels);
   if (!separation.ok()) return separation.error();
-  if (separation->contacts_from && separation->contacts_by_value && tells_contacts(a) != tells_contacts(b)) {
+  if (separation->contacts_from && separation->contacts_by_value &&
+      tells_contacts(a, last) != tells_contacts(b, last)) {
     separation->compares_contacts = false;  // one recorder told none
     separation->contacts_from.reset();
     separation->first_contact.reset();

@@ -28,10 +28,10 @@ struct DivergenceGrowth {
   std::string not_measured;          ///< the reason why metrics are not compared; empty: they are
 };
 
-/// Follows two logs from their first different step on, then measures both from their start: three passes, each of
-/// which `progress` counts from 0. Errors: measure_separation()'s, StateSource::read's.
+/// Follows two logs from their first different step on, then measures both from their start, neither behind step
+/// `until`: three passes, each of which `progress` counts from 0. Errors: measure_separation()'s, StateSource::read's.
 Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
-                                        const Progress& progress = {});
+                                        const Progress& progress = {}, std::uint64_t until = ~std::uint64_t{0});
 
 /// Follows a log and this build's replay of it, which first differs in step `first_difference` and starts from the
 /// log's state before; that must be a step after its first state. `again` is the same log opened a second time. Errors:

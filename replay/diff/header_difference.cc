@@ -200,10 +200,8 @@ std::uint64_t bits_of_engine(const LogHeader& header) {
 /// What `one` declares and `other` does not.
 std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
   std::vector<std::string> parts;
-  if (one_holds_hashes_only(one, other)) {
-    parts.emplace_back(holds_hashes_only(one) ? "hashes of each step" : "values of each step");
-    return parts;
-  }
+  if (one_holds_hashes_only(one, other))
+    return {holds_hashes_only(one) ? "hashes of each step" : "values of each step"};
   for (const std::size_t c : listed_order(one.declared.channels)) {
     const std::string& name = one.declared.channels[c].name;
     if (other.declared.find(name) == other.declared.channels.size()) parts.push_back("channel " + name);
@@ -218,6 +216,7 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
   for (const std::string& phase : one.phases) {
     if (std::ranges::find(other.phases, phase) == other.phases.end()) parts.push_back("phase hashes of " + phase);
   }
+  if (!match_phases(one, other).in_order) parts.emplace_back("its order of phases");
   return parts;
 }
 

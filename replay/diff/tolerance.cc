@@ -100,6 +100,21 @@ Error unknown_field(const std::string& field, const std::vector<std::string>& kn
                    (near.empty() ? "" : "; is " + std::string(near) + " meant?"));
 }
 
+/// The words of some phases of each row. A row that is there for other phases alone is none of theirs.
+std::vector<std::uint64_t> words_of(const std::vector<std::uint64_t>& words, std::size_t phases,
+                                    const std::vector<std::size_t>& places, bool all) {
+  std::vector<std::uint64_t> kept;
+  for (std::size_t row = 0; row + phases <= words.size(); row += phases) {
+    for (const std::size_t place : places) kept.push_back(words[row + place]);
+  }
+  const auto row_is_empty = [&] {
+    return std::ranges::all_of(kept.end() - static_cast<std::ptrdiff_t>(places.size()), kept.end(),
+                               [](std::uint64_t word) { return word == 0; });
+  };
+  while (!all && !kept.empty() && row_is_empty()) kept.resize(kept.size() - places.size());
+  return kept;
+}
+
 }  // namespace
 
 bool Tolerances::excuses(const std::string& field, double expected, double actual) const {
@@ -186,6 +201,33 @@ void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolera
       if (name == found[k].first && tolerances.excuses(name, *value, *found[k].second)) *found[k].second = *value;
     }
   }
+}
+
+PhaseMatch match_phases(const LogHeader& a, const LogHeader& b) {
+  PhaseMatch match;
+  match.equal = same_phase_words(a, b);
+  const bool one_engine = a.engine && b.engine && a.engine->name == b.engine->name;
+  const bool one_meaning = a.phase_rows_max == b.phase_rows_max && a.phase_hash_version == b.phase_hash_version;
+  if (!match.equal && !(one_engine && one_meaning)) return match;
+  for (std::size_t i = 0; i < a.phases.size(); ++i) {
+    const auto there = std::ranges::find(b.phases, a.phases[i]);
+    if (there == b.phases.end()) continue;
+    match.names.push_back(a.phases[i]);
+    match.in_a.push_back(i);
+    match.in_b.push_back(static_cast<std::size_t>(there - b.phases.begin()));
+  }
+  match.in_order = std::ranges::is_sorted(match.in_b);
+  match.all = match.names.size() == a.phases.size() && match.names.size() == b.phases.size();
+  return match;
+}
+
+void match_phase_words(const PhaseMatch& match, const LogHeader& a, const LogHeader& b, StepRecord& in_a,
+                       StepRecord& in_b) {
+  const bool held = a.hashes.holds(in_a.step) && b.hashes.holds(in_a.step);
+  if (match.equal || match.names.empty() || !held) return leave_out_phase_words(a, b, in_a, in_b);
+  in_b.counters.contacts = in_a.counters.contacts;
+  in_a.phase_words = words_of(in_a.phase_words, a.phases.size(), match.in_a, match.all);
+  in_b.phase_words = words_of(in_b.phase_words, b.phases.size(), match.in_b, match.all);
 }
 
 bool in_binary32(const LogHeader& a, const LogHeader& b) {

@@ -46,6 +46,24 @@ void forgive_states(const BodyStates& expected, BodyStates& actual, const Tolera
 /// Likewise for dt and for the fields of inputs of equal kinds.
 void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolerances& tolerances);
 
+/// The phases whose words are compared between two sessions.
+struct PhaseMatch {
+  std::vector<std::string> names;       ///< in the order of the first session; empty: no words can be compared
+  std::vector<std::size_t> in_a, in_b;  ///< the place of each in a row of words
+  bool equal = false;                   ///< same_phase_words(): rows are compared as they are
+  bool in_order = true;                 ///< both sessions run them in one order
+  bool all = true;                      ///< neither session has another phase
+};
+
+/// Phases of one engine match by their names, whatever their order; phases of ours only where all are the same, because
+/// they change with the version of their hashes.
+PhaseMatch match_phases(const LogHeader& a, const LogHeader& b);
+
+/// Prepares a comparison of one step: leave_out_phase_words(), or where sessions have some phases in common, leaves the
+/// words of these in both records, in the order of the first. Call it once for a pair of records.
+void match_phase_words(const PhaseMatch& match, const LogHeader& a, const LogHeader& b, StepRecord& in_a,
+                       StepRecord& in_b);
+
 /// Whether both sessions are of engines that compute in binary32.
 bool in_binary32(const LogHeader& a, const LogHeader& b);
 

@@ -71,6 +71,19 @@ class FactCounter {
   std::set<sim::BodyId> ids_, statics_;
 };
 
+/// Of the steps up to step `last` alone, where bodies_until() has those of whole chunks.
+BodyTable bodies_told_by(LogReader& log, std::uint64_t last) {
+  if (last >= log.last_step()) return log.bodies();
+  BodyTable bodies;
+  bodies.add(log.header().declared.bodies, log.header().declared.shapes);
+  for (std::uint64_t k = log.first_state() + 1; k <= last; ++k) {
+    if (!log.holds(k)) continue;
+    const Result<const StepRecord*> record = log.read_hashes(k);
+    if (record.ok()) bodies.add((*record)->extras.bodies, (*record)->extras.shapes);
+  }
+  return bodies;
+}
+
 }  // namespace
 
 std::optional<double> LogFacts::bytes_per_moving_body_step(std::uint64_t file_bytes) const {
@@ -118,10 +131,10 @@ BodyTable bodies_until(const LogReader& log, std::uint64_t last) {
   return bodies;
 }
 
-bool tells_contacts(LogReader& log) {
+bool tells_contacts(LogReader& log, std::uint64_t last) {
   if (!log.header().declared.start.contacts.empty()) return true;
   for (const ChunkPlace& place : log.chunks()) {
-    for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) {
+    for (std::uint64_t k = place.first_step; k < place.end_step() && k <= last; ++k) {
       const Result<const StepRecord*> record = log.read_hashes(k);
       if (!record.ok()) break;  // the rest of the chunk cannot be read either
       if (!(*record)->extras.contacts.empty()) return true;
@@ -130,12 +143,13 @@ bool tells_contacts(LogReader& log) {
   return false;
 }
 
-void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts) {
+void add_later_shapes(LogReader& one, LogReader& other, std::uint64_t last, std::vector<std::string>& parts) {
   const auto begins_with = [](const LogReader& log, sim::BodyId id) {
     return std::ranges::binary_search(log.header().declared.bodies, id, {}, &BodyInfo::id);
   };
-  const std::map<sim::BodyId, BodyInfo>& there = other.bodies().bodies();
-  for (const auto& [id, body] : one.bodies().bodies()) {
+  const BodyTable in_one = bodies_told_by(one, last), in_other = bodies_told_by(other, last);
+  const std::map<sim::BodyId, BodyInfo>& there = in_other.bodies();
+  for (const auto& [id, body] : in_one.bodies()) {
     if (body.shape == Hash128() || begins_with(one, id) || begins_with(other, id)) continue;
     const auto its = there.find(id);
     if (its != there.end() && its->second.shape == body.shape) continue;

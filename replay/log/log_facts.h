@@ -44,13 +44,14 @@ Status read_start(LogReader& log, std::uint64_t from, StepRecord& start);
 /// step, where LogReader::bodies() reads all. Chunks that cannot be read are passed over.
 BodyTable bodies_until(const LogReader& log, std::uint64_t last);
 
-/// Whether any readable state or step of another engine's log has a contact. Reads no more of it than it needs to say
-/// so.
-bool tells_contacts(LogReader& log);
+/// Whether any readable state or step of another engine's log, up to step `last`, has a contact. Reads no more of it
+/// than it needs to say so.
+bool tells_contacts(LogReader& log, std::uint64_t last);
 
-/// Adds "its shape of body 7" for each body that appears after the start of both logs and is no box in the one, and of
-/// another shape in the other. Reads both logs for them. Bodies that one log alone has are a difference of states.
-void add_later_shapes(LogReader& one, LogReader& other, std::vector<std::string>& parts);
+/// Adds "its shape of body 7" for each body that appears after the start of both logs, up to step `last`, and is no box
+/// in the one, and of another shape in the other. Reads both logs for them. Bodies that one log alone has are a
+/// difference of states.
+void add_later_shapes(LogReader& one, LogReader& other, std::uint64_t last, std::vector<std::string>& parts);
 
 /// The last step up to which the chains of two logs agree, among the steps from..last at which log A ends a chunk; both
 /// chains must cover the same. Errors: as LogReader::chain_at() of `from`.

@@ -88,11 +88,15 @@ class Verifier {
                    to_string(keyframe.continuation_hash));
   }
 
+  void note_contacts(std::uint64_t step, const Extras& extras) {
+    if (!extras.contacts.empty() && !report_.contacts_from) report_.contacts_from = step;
+  }
+
   void look_at_start(const Keyframe& keyframe) {
     BodyStates start;
     copy_visible(keyframe.state.bodies, start);
     report_.lost = first_not_finite(start, log_.first_state());
-    report_.has_contacts = !log_.header().declared.start.contacts.empty();
+    note_contacts(log_.first_state(), log_.header().declared.start);
   }
 
   /// Whether the keyframe is the state that the log begins with. The chain starts from the hash of state 0; the header
@@ -106,7 +110,7 @@ class Verifier {
   Status check_step(const StepRecord& step) {
     ++report_.steps_checked;
     previous_ = step.state_hash;
-    report_.has_contacts = report_.has_contacts || !step.extras.contacts.empty();
+    note_contacts(step.step, step.extras);
     if (!step.has_states) return {};
     ++report_.states_checked;
     if (!report_.lost) report_.lost = first_not_finite(step.states, step.step);

@@ -19,13 +19,14 @@ struct KeyframeHash {
 };
 
 struct VerifyReport {
-  LogCondition condition;               ///< with all damage found
-  std::uint64_t steps_checked = 0;      ///< decoded, and added to the chain again
-  std::uint64_t states_checked = 0;     ///< steps whose states were hashed again
-  std::optional<NotFinite> lost;        ///< no damage: another engine's states may hold any double
-  std::vector<KeyframeHash> keyframes;  ///< by step
-  bool has_contacts = false;            ///< of another engine, in any step
+  LogCondition condition;                      ///< with all damage found
+  std::uint64_t steps_checked = 0;             ///< decoded, and added to the chain again
+  std::uint64_t states_checked = 0;            ///< steps whose states were hashed again
+  std::optional<NotFinite> lost;               ///< no damage: another engine's states may hold any double
+  std::vector<KeyframeHash> keyframes;         ///< by step
+  std::optional<std::uint64_t> contacts_from;  ///< of another engine: the first state or step with one
   bool complete = true;  ///< false: `progress` stopped the check, and the report covers a part of the log
+  [[nodiscard]] bool has_contacts_by(std::uint64_t step) const { return contacts_from && *contacts_from <= step; }
 };
 
 /// Reads every byte of a log and checks:

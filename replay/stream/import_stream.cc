@@ -6,6 +6,7 @@
 
 #include "replay/import/declared_bodies.h"
 #include "replay/stream/lent_sink.h"
+#include "replay/stream/start_hashes.h"
 #include "replay/stream/stream_bodies.h"
 #include "replay/stream/stream_cursor.h"
 #include "replay/stream/stream_end.h"
@@ -103,7 +104,12 @@ class StreamImporter {
   Result<StreamStep> decode(const StreamFrame& frame) const {
     const Result<std::vector<std::byte>> payload = stream_.read(frame);
     if (!payload.ok()) return payload.error();
-    return decode_stream_step(frame.kind, *payload, place(stream_, frame));
+    Result<StreamStep> step = decode_stream_step(frame.kind, *payload, place(stream_, frame));
+    // A ring of hashes begins with bodies, of which its steps tell nothing more.
+    if (!step.ok() || !stream_.header().hashes_only || !step->hashes.empty()) return step;
+    StreamStep bare;
+    bare.step = step->step;
+    return bare;
   }
 
   Result<EngineDef> engine(const StreamStep& start) {
@@ -118,6 +124,7 @@ class StreamImporter {
     Result<Declared> declared = extras_.declare(start, bodies_.axes(), bodies_.take_told());
     if (!declared.ok()) return declared.error();
     def.declared = *std::move(declared);
+    if (Status ok = declare_start_hashes(start, def.declared); !ok.ok()) return ok.error();
     Result<std::vector<EngineSnapshot>> begun = snapshots(start.step);
     if (!begun.ok()) return begun.error();
     def.declared.start.snapshots = *std::move(begun);

@@ -38,7 +38,10 @@ TEST(DiffCommand, TellsWhatADifferenceLedTo) {
   EXPECT_GT(after["largest"]["gap"], 0.1);
   EXPECT_FALSE(after["metrics"].empty());
   EXPECT_EQ(json["narrowed"]["this_build_follows"], "both");
+  EXPECT_EQ(json["effect"]["step"], 5);
+  EXPECT_EQ(json["effect"]["phase"], "inputs") << "no phase comes before them";
   const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_NE(text.out.find("effect  step 5, from its inputs on, body "), std::string::npos) << text.out;
   for (const char* words :
        {"separation above 1e-12 m", "largest separation", "bodies that differ", "metric that moved", "inputs"}) {
     EXPECT_NE(text.out.find(words), std::string::npos) << text.out;

@@ -83,8 +83,8 @@ Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::Lo
                                           const replay::DiffReport& report, const Difference& difference,
                                           std::uint64_t last) {
   if (!options.apart) return std::optional<Parting>();
-  if (replay::one_holds_hashes_only(a.header(), b.header())) {
-    return bad_input("--apart: the distance of the two is not known: one log holds hashes and no places of bodies");
+  if (replay::lack_states(a.header(), b.header())) {
+    return bad_input("--apart: the distance of the two is not known: a log holds hashes and no places of bodies");
   }
   if (!report.first) return std::optional<Parting>();
   if (!difference || !difference->growth) {
@@ -101,7 +101,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
   std::uint64_t until = replay::kNoLimit;
   if (options.until) {
-    const Result<std::uint64_t> step = step_at(a, *options.until);
+    const Result<std::uint64_t> step = step_until(a, b, *options.until);
     if (!step.ok()) return step.error();
     until = *step;
   }
@@ -228,7 +228,7 @@ Action declare_diff(Arguments& arguments) {
       .excludes(plot);
   constexpr double kTimeMax = 1e9, kLengthMax = 1e6;
   const Argument until = arguments.positive("--until", "T", options->until, kTimeMax,
-                                            "Compare only the steps that end within T seconds of A's start");
+                                            "Compare only the steps that end within T seconds of the start");
   const Argument apart = arguments.positive(
       "--apart", "D", options->apart, kLengthMax,
       "Ask when a body's centre is first more than D m from its place in the other log: status 1 if that happens, "

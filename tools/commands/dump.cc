@@ -76,7 +76,7 @@ Error no_such_body(const DumpCommand& options, const replay::LogReader& log, con
 }
 
 Result<Exit> dump(DumpCommand options) {
-  Result<replay::LogReader> log = open_log(options.log);
+  Result<replay::LogReader> log = open_values(options.log);
   if (!log.ok()) return log.error();
   const Result<StepRange> range = range_of(options, *log);
   if (!range.ok()) return range.error();

@@ -50,6 +50,7 @@ std::string channels_text(const replay::Declared& declared) {
 
 /// The scene's dt, or what the steps have in its place.
 std::string dt_text(const LogHeader& header, const LogFacts& facts) {
+  if (header.engine && !facts.dt_min) return "not told: there is no step";
   if (!facts.dt_min || *facts.dt_min == *facts.dt_max)
     return exact(facts.dt_min.value_or(header.scene.world.dt)) + " s";
   return exact(*facts.dt_min) + " to " + exact(*facts.dt_max) + " s, varies";

@@ -45,10 +45,13 @@ std::string same_text(const DiffQuestion& question, const replay::DiffReport& re
 std::string unequal_text(const DiffQuestion& question, const replay::DiffReport& report, const Sides& sides,
                          const std::string& steps) {
   const std::string missing = report.only_in.text(sides.expected, sides.actual);
-  std::string text = report.last_a != report.last_b
-                         ? "different in length: the first ends with step " + std::to_string(report.last_a) +
-                               ", the second with step " + std::to_string(report.last_b) + "; "
-                         : "different in what was recorded: ";
+  const auto end = [&](std::uint64_t last) {
+    return last == report.until ? "goes on to step " + std::to_string(last) + ", the last that was asked for"
+                                : "ends with step " + std::to_string(last);
+  };
+  std::string text = report.last_a != report.last_b ? "different in length: the first " + end(report.last_a) +
+                                                          ", the second " + end(report.last_b) + "; "
+                                                    : "different in what was recorded: ";
   text += missing + (missing.empty() ? "" : "; ") + "the " + steps + " of both are the same";
   if (!question.exact_bits) return text + " within tolerances";
   return text + (missing.empty() ? "" : " in all else that was compared");
@@ -74,6 +77,7 @@ void print_text(const DiffQuestion& question, const replay::DiffReport& report, 
   }
   if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
   if (!report.first) print_scope(report.scope);
+  if (report.first && !report.behind().empty()) std::cout << "not compared: " << report.behind() << '\n';
 }
 
 Json headers_json(const std::vector<replay::HeaderDifference>& headers) {

@@ -1,18 +1,22 @@
 #include "tools/compare/session_time.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "tumble/replay/compare.h"
 
 namespace tumble::tools {
 namespace {
 
 constexpr double kRounding = 1e-9;  // of a sum of step lengths, as a part of it
 
-/// Calls visit(step, time at its end) for every step that the log holds, until it returns false.
+/// Calls visit(step, time at its end) for every step that the log holds, until it returns false. start: the time at
+/// which the log begins, s.
 template <class Visit>
-Status each_step(replay::LogReader& log, const Visit& visit) {
-  double time = 0, dt = log.header().scene.world.dt;
+Status each_step(replay::LogReader& log, const Visit& visit, double start = 0) {
+  double time = start, dt = log.header().scene.world.dt;
   for (std::uint64_t k = log.first_state() + 1; k <= log.last_step(); ++k) {
     if (log.lost_at(k) == nullptr) {
       const Result<const replay::StepRecord*> record = log.read_hashes(k);
@@ -25,18 +29,38 @@ Status each_step(replay::LogReader& log, const Visit& visit) {
   return {};
 }
 
-}  // namespace
-
-Result<std::uint64_t> step_at(replay::LogReader& log, double seconds) {
+/// The last step of a log that ends by `seconds`, at least one; kNoLimit where the log has none behind it.
+Result<std::uint64_t> limit_of(replay::LogReader& log, double seconds, double start) {
   std::uint64_t last = log.first_state();
-  const Status read = each_step(log, [&](std::uint64_t k, double time) {
-    if (time > seconds * (1 + kRounding)) return false;
-    last = k;
-    return true;
-  });
+  bool goes_on = false;
+  const Status read = each_step(
+      log,
+      [&](std::uint64_t k, double time) {
+        goes_on = time > seconds * (1 + kRounding);
+        if (!goes_on) last = k;
+        return !goes_on;
+      },
+      start);
   if (!read.ok()) return read.error();
+  if (!goes_on) return replay::kNoLimit;
   if (last == log.first_state()) return bad_input(log.name() + ": no step ends within " + rounded(seconds, "s"));
   return last;
+}
+
+}  // namespace
+
+// A session that ends before sets no limit: where the other goes on, the two differ in length.
+Result<std::uint64_t> step_until(replay::LogReader& a, replay::LogReader& b, double seconds) {
+  replay::LogReader& earlier = a.first_state() <= b.first_state() ? a : b;
+  std::uint64_t until = replay::kNoLimit;
+  for (replay::LogReader* log : {&a, &b}) {
+    const Result<double> start = time_of(earlier, log->first_state());
+    if (!start.ok()) return start.error();
+    const Result<std::uint64_t> limit = limit_of(*log, seconds, *start);
+    if (!limit.ok()) return limit.error();
+    until = std::min(until, *limit);
+  }
+  return until;
 }
 
 Result<double> time_of(replay::LogReader& log, std::uint64_t k) {

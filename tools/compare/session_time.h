@@ -11,11 +11,12 @@
 /// Steps of a session as times, s from its first state on.
 namespace tumble::tools {
 
-/// The last step whose end is at most `seconds` after the log's first state. Errors: no step ends by then (kBadInput);
-/// a step that cannot be read.
-Result<std::uint64_t> step_at(replay::LogReader& log, double seconds);
+/// The last step of both sessions that ends within `seconds` of the first state of the log that begins first;
+/// replay::kNoLimit where both end before. Errors: a log with steps, none of which ends by then (kBadInput); a step
+/// that cannot be read.
+Result<std::uint64_t> step_until(replay::LogReader& a, replay::LogReader& b, double seconds);
 
-/// The time at which step k ends. Errors: likewise.
+/// The time at which step k ends; 0 at the first state. Errors: likewise.
 Result<double> time_of(replay::LogReader& log, std::uint64_t k);
 
 /// The first step in which two sessions were apart by more than a bound.

@@ -23,8 +23,11 @@ const char* kind_of(const replay::Separation& separation) {
   return "numbers";
 }
 
-std::string since(const std::optional<std::uint64_t>& step, bool had_any) {
-  return step ? "differ from step " + std::to_string(*step) + " on" : had_any ? "the same" : "none in either log";
+/// Steps before the first difference were not looked at.
+std::string since(const std::optional<std::uint64_t>& step, bool had_any, const replay::Separation& separation) {
+  if (step) return "differ from step " + std::to_string(*step) + " on";
+  const std::string first = std::to_string(separation.rows.front().step);
+  return had_any ? "the same" : "none in either log from step " + first + " on";
 }
 
 /// Contacts of our own sessions are compared by their number alone.
@@ -32,7 +35,7 @@ std::string contacts_text(const replay::Separation& separation, const Sides& sid
   if (!separation.compares_contacts) return "not compared";
   if (!separation.contacts_from && separation.had_contacts && !separation.contacts_by_value)
     return "the same in number; their values are not compared";
-  std::string text = since(separation.contacts_from, separation.had_contacts);
+  std::string text = since(separation.contacts_from, separation.had_contacts, separation);
   if (!separation.first_contact) return text;
   const auto& [pair, words] = *separation.first_contact;
   text += ", first of " + sides.body(pair.first) + " and ";
@@ -132,14 +135,9 @@ void print_headlines(const replay::DifferenceReport& report, const Sides& sides)
   Listing listing;
   if (!report.cause.empty()) listing.add("cause", sides.named(printable(report.cause)));
   if (report.effect) {
-    const replay::Divergence& effect = *report.effect;
-    listing.add("effect",
-                "step " + std::to_string(effect.step) + ", phase " + effect.phase +
-                    (effect.body ? ", " + sides.body(*effect.body) : "") + ", " +
-                    (replay::is_body_missing(effect) ? only_in(effect, sides.expected, sides.actual) : effect.field) +
-                    replay::apart_words(effect) + (effect.note.empty() ? "" : "; " + effect.note));
+    listing.add("effect", effect_text(*report.effect, sides));
   } else if (!report.first.field.empty() && report.first.field != "error") {
-    listing.add("effect", "in no state");
+    listing.add("effect", report.growth ? "in no state" : "not known");
   }
   listing.print();
 }
@@ -185,7 +183,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   listing.add("  separation at the end", separation_text(separation.rows.back(), sides) + of_both);
   if (separation.clocks) listing.add("  clocks", clocks_text(*separation.clocks));
   listing.add("  contacts", contacts_text(separation, sides));
-  listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
+  listing.add("  freezing", since(separation.freezing_from, separation.had_frozen, separation));
   if (separation.bodies_from) {
     const std::string alone = only_in_text(separation.rows.back(), sides);
     listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) +

@@ -201,6 +201,17 @@ void print_scope(const replay::ComparisonScope& scope) {
   listing.print();
 }
 
+std::string effect_text(const replay::Divergence& effect, const Sides& sides) {
+  const std::string& phase = effect.phase;
+  const std::string from = phase == "step"     ? ""
+                           : phase == "start"  ? ", start"
+                           : phase == "inputs" ? ", from its inputs on"
+                                               : ", from phase " + phase + " on";
+  return "step " + std::to_string(effect.step) + from + (effect.body ? ", " + sides.body(*effect.body) : "") + ", " +
+         (replay::is_body_missing(effect) ? only_in(effect, sides.expected, sides.actual) : effect.field) +
+         replay::apart_words(effect) + (effect.note.empty() ? "" : "; " + effect.note);
+}
+
 Json only_in_json(const replay::OnlyInOne& only_in) { return {{"a", only_in.a}, {"b", only_in.b}}; }
 
 void add_scope(const replay::ComparisonScope& scope, Json& json) {

@@ -52,6 +52,10 @@ void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence&
 /// Prints the first difference for people, in a few aligned lines.
 void print_divergence(const replay::Divergence& first, const Sides& sides);
 
+/// A difference of a state in one line: "step 45, from phase solve on, body 7, velocity.x, 3e-12 m/s apart". A phase
+/// hash tells where in the step the two part, and not which phase changed the field; nothing may tell it.
+std::string effect_text(const replay::Divergence& effect, const Sides& sides);
+
 /// How far the clocks of two sessions with steps of other lengths are apart. None: null.
 std::string clocks_text(const replay::ClockSeparation& clocks);
 Json clocks_json(const std::optional<replay::ClockSeparation>& clocks);

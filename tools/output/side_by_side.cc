@@ -60,6 +60,7 @@ struct Kind {
   bool binary32 = false;       ///< ULPs are those of floats
   replay::EngineAxes axes;     ///< that name fields
   bool values_in_one = false;  ///< the other holds hashes: only the lengths of steps are in both
+  bool no_states = false;      ///< a log holds hashes, so no inputs, states and energies are there
 };
 
 Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const Kind& kind) {
@@ -71,7 +72,7 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const
     add(name, number_json(in_a), number_json(in_b), replay::bits_of(in_a) == replay::bits_of(in_b));
   };
   number("dt", a.dt, b.dt);
-  if (kind.values_in_one) return rows;
+  if (kind.no_states) return rows;
   add("inputs", inputs_json(a), inputs_json(b), !replay::first_difference(std::span(a.inputs), std::span(b.inputs)));
   const auto count = [&](const char* name, std::uint32_t in_a, std::uint32_t in_b) {
     add(name, in_a, in_b, in_a == in_b);
@@ -201,9 +202,10 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   replay::StepRecord in_b = **read_b;
   if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
   if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
-  const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine,
-                     replay::in_binary32(a.header(), b.header()), common_axes(a.header(), b.header()),
-                     replay::one_holds_hashes_only(a.header(), b.header())};
+  const Kind kind = {
+      replay::same_phase_words(a.header(), b.header()),      a.header().engine || b.header().engine,
+      replay::in_binary32(a.header(), b.header()),           common_axes(a.header(), b.header()),
+      replay::one_holds_hashes_only(a.header(), b.header()), replay::lack_states(a.header(), b.header())};
   const bool signs = kind.imported && replay::forgive_zeros(in_a, in_b) > 0;
   if (signs && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
 
@@ -219,7 +221,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   const bool all = add_left_out(a, b, json);
   const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
   json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
-  const bool have_states = in_a.has_states && in_b.has_states && !kind.values_in_one;
+  const bool have_states = in_a.has_states && in_b.has_states && !kind.no_states;
   json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, kind) : Json(nullptr);
   json["axes"] = kind.axes.ours() ? Json(nullptr) : axes_json(kind.axes);
   const auto same_rows = [](const Json& rows) {
