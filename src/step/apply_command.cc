@@ -128,6 +128,13 @@ class Applier {
   Bodies& bodies_;
 };
 
+// What a box that was thrown in touches.
+void look_around(WorldState& state, const BoxDef& box) {
+  const auto i = state.bodies.find(box.id);
+  if (box.frozen) find_first_contacts(state, i);
+  if (state.def.method == Method::kLayered && (!box.frozen || box.is_static)) wake_touched(state, *i);
+}
+
 }  // namespace
 
 Status apply(World& world, const Command& command) {
@@ -135,9 +142,7 @@ Status apply(World& world, const Command& command) {
   const Energy before = total_energy(state);
   world.mutable_scratch().still_steps = 0;
   if (Status ok = std::visit(Applier(state), command); !ok.ok()) return ok;
-  if (const auto* thrown = std::get_if<Throw>(&command); thrown != nullptr && thrown->box.frozen) {
-    find_first_contacts(state, state.bodies.find(thrown->box.id));
-  }
+  if (const auto* thrown = std::get_if<Throw>(&command)) look_around(state, thrown->box);
   const Energy after = total_energy(state);
   world.add_input_energy((after.kinetic + after.potential) - (before.kinetic + before.potential));
   return {};

@@ -11,6 +11,8 @@
 #include "src/layered/find/find_near_pairs.h"
 #include "src/thesis/contact_objects.h"
 #include "src/thesis/find_pairs.h"
+#include "src/world/edit_bodies.h"
+#include "src/world/forget_contacts.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/limits.h"
 
@@ -122,6 +124,25 @@ void find_first_contacts(WorldState& state, std::optional<BodyIndex> body) {
     find_objects(state, wanted);
   } else {
     find_memory(state, wanted);
+  }
+}
+
+void wake_touched(WorldState& state, BodyIndex i) {
+  const Bodies& bodies = state.bodies;
+  const auto frame = [&](BodyIndex k) {
+    const Vec3 half_extent = bodies.half_extent[k] + Vec3::Constant(kFirstTouch / 2);
+    return BoxFrame{bodies.position[k], axes_of(bodies.orientation[k]), half_extent};
+  };
+  const BoxFrame thrown = frame(i);
+  std::vector<std::uint8_t> wakes(bodies.size(), 0);
+  for (BodyIndex k = 0; k < bodies.size(); ++k) {
+    if (k == i || wakes[k] != 0 || bodies.is_static[k] != 0) continue;
+    if (BoxPair(thrown, frame(k)).best_of_all().separation >= 0) continue;
+    wakes[k] = 1;
+    for (const BodyIndex other : connected_with(state, k)) wakes[other] = 1;
+  }
+  for (BodyIndex k = 0; k < bodies.size(); ++k) {
+    if (wakes[k] != 0 && bodies.is_static[k] == 0) wake_body(state, k);
   }
 }
 

@@ -13,4 +13,9 @@ namespace tumble::sim {
 /// frozen bodies of a new world.
 void find_first_contacts(WorldState& state, std::optional<BodyIndex> body);
 
+/// Method layered: wakes what body i, just thrown in, touches or overlaps, and all that contacts connect with that; of
+/// those that are awake the time of rest starts anew. A step would wake them for a lively body alone: nothing tells a
+/// sleeper of a static box that is put into it, or of one that is laid on it.
+void wake_touched(WorldState& state, BodyIndex i);
+
 }  // namespace tumble::sim

@@ -25,7 +25,8 @@ ContactMemory without(const ContactMemory& memory, BodyIndex i) {
   return kept;
 }
 
-// All bodies that contacts connect with body i, but i.
+}  // namespace
+
 std::vector<BodyIndex> connected_with(const WorldState& state, BodyIndex i) {
   const ContactMemory& memory = state.contact_memory;
   const auto connects = [&](BodyIndex body) { return body == i || state.bodies.is_static[body] == 0; };
@@ -41,6 +42,8 @@ std::vector<BodyIndex> connected_with(const WorldState& state, BodyIndex i) {
   }
   return found;
 }
+
+namespace {
 
 void forget(ContactMemory& memory, std::size_t k, std::size_t first_point) {
   memory.friction[k] = Vec3::Zero();

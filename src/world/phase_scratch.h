@@ -212,10 +212,10 @@ struct WeightScratch {
   std::vector<std::uint32_t> first_blow;  ///< by body, in `blows`
   std::vector<std::uint8_t> struck;       ///< by body: hit from below or from the side
   std::vector<std::uint8_t> stands;       ///< by body: its weight, all that it bears and blows press between its points
-  std::vector<std::uint8_t> held;         ///< by body: stands, on ground or on bodies that are held
-  std::vector<std::uint8_t> settled;      ///< by body: is held, and so is all that bears weight above
-  std::vector<double> offered;            ///< kg, by body, the largest mass above
-  std::vector<double> borne;              ///< kg, by body, everything that rests on the body
+  std::vector<std::uint8_t> held;  ///< by body: stands, on ground or on bodies that are held; update_sleeping reads it
+  std::vector<std::uint8_t> settled;       ///< by body: is held, and so is all that bears weight above
+  std::vector<double> offered;             ///< kg, by body, the largest mass above
+  std::vector<double> borne;               ///< kg, by body, everything that rests on the body
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it
 };
 

@@ -59,6 +59,7 @@ std::vector<Field> layered_fields() {
       {"carry_weights", "impulse", [](World& w) { manifold_point(w).impulse += 1; }},
       {"carry_weights", "solver_mass", [](World& w) { w.mutable_scratch().solver_mass[0] += 1; }},
       {"carry_weights", "lent_along", [](World& w) { w.mutable_scratch().lent_along[0].z() += 1; }},
+      {"carry_weights", "held", [](World& w) { w.mutable_scratch().weights.held[0] ^= 1; }},
       {"prepare_manifolds", "in_contact", [](World& w) { w.mutable_scratch().in_contact[0] ^= 1; }},
       {"prepare_manifolds", "inverse_mass", [](World& w) { body(w).inverse_mass += 1; }},
       {"prepare_manifolds", "lent", [](World& w) { body(w).lent.x() += 1; }},

@@ -261,6 +261,7 @@ Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
 void hash_carry_weights(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   hasher.add(std::span<const double>(scratch.solver_mass));
   hasher.add(doubles_of(scratch.lent_along));
+  hasher.add(std::span<const std::uint8_t>(scratch.weights.held));
   GatheredNumbers numbers(&hasher);
   for (const ManifoldPoint& point : scratch.manifold_points) {
     double* const of_point = numbers.next(2);

@@ -13,7 +13,7 @@ namespace tumble::sim {
 /// - A light body that holds up a heavy one gets the heavy one's inertia (never its weight) in the solver, along the
 ///   normals of its supports alone (lend_inertia.h).
 /// Reads:  mass, velocity, spin, position; gravity; layered, manifolds and their points
-/// Writes: solver_mass, lent_along; load of points; impulses of resting manifolds that have none
+/// Writes: solver_mass, lent_along, held; load of points; impulses of resting manifolds that have none
 /// Order:  sums of shares are of grid doubles, the rest are maxima
 /// Source: the thesis's "impact passed through the stack" (VI), as a start for the sweeps instead of a substitute for
 ///         them.

@@ -1,5 +1,6 @@
 #include "src/layered/order/update_sleeping.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/layered/islands/later_numbers.h"
@@ -13,6 +14,9 @@ namespace {
 // Of gravity. What gains speed faster is not at rest, however slow it is. A slope gives that much at an angle of
 // 1e-5 rad; a body at rest gains and loses a thousandth of it, by rounding.
 constexpr double kSpeedingUp = 1e-5;
+
+// m/s, of a move that parts a deep overlap. Where bodies are parted more slowly they jam.
+constexpr double kParting = 1e-4;
 
 // m/s, of a body that has that energy per kilogram and does not turn.
 double speed_of(double energy_per_kg) { return std::sqrt(2 * energy_per_kg); }
@@ -126,7 +130,47 @@ bool is_pushed(Scratch& scratch, BodyIndex island, double gain) {
   return (scratch.sleeping.together[island] != 0 ? gained : std::fabs(gained)) > gain;
 }
 
-// Puts the islands to sleep that are held and of which every body has been slow for long enough.
+// Whether a body is moved out of what it overlaps by more than twice of what solving leaves.
+bool parts(const Bodies& bodies, const Scratch& scratch, const Manifold& m) {
+  const auto moved = [&](BodyIndex i) { return !rests(bodies, i) && speed_of(parting(scratch, i)) > kParting; };
+  if (!moved(m.a) && !moved(m.b)) return false;
+  const BoxFrame& b = scratch.frames[m.b];
+  const double smallest = smallest_half_extent(m.a == kGround ? b : scratch.frames[m.a], b);
+  const double deep = 2 * std::min(kSlop, kSlopOfHalfExtent * smallest);
+  return std::ranges::any_of(points_of(scratch, m), [&](const ManifoldPoint& p) { return p.separation < -deep; });
+}
+
+// Whether a body tips: its weight and what it bears lie outside of what supports it (carry_weights), and it moves. A
+// light body under a heavy one tips at an even speed at first, so the gain of a step does not show it. What leans or is
+// wedged lies so too, and may creep; the longer it has, the faster it may, since what tips is fast after some seconds.
+bool tips(const WorldState& state, const Scratch& scratch, BodyIndex i) {
+  if (scratch.weights.held[i] != 0) return false;
+  const double rest = state.bodies.low_energy_time[i];
+  const double gained = kSpeedingUp * length(state.def.gravity) * rest;  // m/s
+  return speed_of(energy_per_mass(state.bodies, i)) * state.def.freeze_time > gained * rest;
+}
+
+// Marks the islands that would not stay where they are.
+void mark_restless(const WorldState& state, Scratch& scratch, Islands& islands, double dt_s) {
+  const Bodies& bodies = state.bodies;
+  std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
+  fill_bodies(scratch, bodies.size(), restless, std::uint8_t{0});
+  find_liveliest(bodies, scratch, islands);
+  const double gain = kSpeedingUp * length(state.def.gravity) * dt_s;
+  for_moving(bodies, scratch, [&](BodyIndex i) {
+    const BodyIndex island = islands.of(i);
+    const bool rested = bodies.low_energy_time[i] >= state.def.freeze_time;
+    if (!rested || is_pushed(scratch, island, gain) || tips(state, scratch, i)) mark(restless[island]);
+  });
+  for_touching(scratch, [&](const Manifold& m) {
+    if (!parts(bodies, scratch, m)) return;
+    for (const BodyIndex i : {m.a, m.b}) {
+      if (!rests(bodies, i)) mark(restless[islands.of(i)]);
+    }
+  });
+}
+
+// Puts the islands to sleep that are held and of which nothing would move on.
 void freeze_islands(WorldState& state, Scratch& scratch, double dt_s) {
   Bodies& bodies = state.bodies;
   Islands islands(scratch.island_links, bodies.size(), scratch.workers);
@@ -134,16 +178,8 @@ void freeze_islands(WorldState& state, Scratch& scratch, double dt_s) {
     if (m.a != kGround && bodies.is_static[m.a] == 0 && bodies.is_static[m.b] == 0) islands.join(m.a, m.b);
   });
   mark_held(bodies, scratch, islands);
-  std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
-  fill_bodies(scratch, bodies.size(), restless, std::uint8_t{0});
-  for_moving(bodies, scratch, [&](BodyIndex i) {
-    if (bodies.low_energy_time[i] < state.def.freeze_time) mark(restless[islands.of(i)]);
-  });
-  find_liveliest(bodies, scratch, islands);
-  const double gain = kSpeedingUp * length(state.def.gravity) * dt_s;
-  for_moving(bodies, scratch, [&](BodyIndex i) {
-    if (is_pushed(scratch, islands.of(i), gain)) mark(restless[islands.of(i)]);
-  });
+  mark_restless(state, scratch, islands, dt_s);
+  const std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
   for_moving(bodies, scratch, [&](BodyIndex i) {
     const BodyIndex island = islands.of(i);
     if (restless[island] == 0 && scratch.sleeping.held[island] != 0) put_to_sleep(bodies, i);

@@ -12,9 +12,10 @@ void note_energies(const WorldState& state, Scratch& scratch, double dt_s);
 
 /// Puts an island to sleep when every body in it has stayed below freeze_energy per kilogram for freeze_time while
 /// touching something, gravity holds it on something that does not move, and no force speeds it up: its liveliest body
-/// gains less than a part of gravity, nor loses more where it is alone. A body that does not rest starts the time
-/// of rest of those that touch it anew, and theirs of those that touch them, a contact further with each step.
-/// Reads:  velocity, spin; manifolds; the energies of note_energies
+/// gains less than a part of gravity, nor loses more where it is alone. Nor does an island sleep of which a body moves
+/// that lies beyond its supports, or is moved out of a deep overlap. A body that does not rest starts the time of rest
+/// of those that touch it anew, and theirs of those that touch them, a contact further with each step.
+/// Reads:  velocity, spin; manifolds; held of carry_weights; what part_overlaps moved; the energies of note_energies
 /// Writes: low_energy_time, frozen; velocity and spin of bodies that fall asleep (0)
 /// Source: thesis III.D, applied to islands: a stack falls asleep as a whole, so no awake part can sag under a sleeping
 ///         one.
