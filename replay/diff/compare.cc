@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "replay/diff/channel_difference.h"
-#include "replay/diff/difference_report.h"
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
@@ -43,10 +42,10 @@ class Diff {
     const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
     const std::uint64_t last = std::min(report_.last_a, report_.last_b);
     if (from > last) return no_common_step();
-    for (std::uint64_t k = from + 1; k <= last; ++k) {
-      if (a_.holds(k) && b_.holds(k)) ++report_.steps;
-    }
-    report_.headers = header_differences(a_, b_, tolerances_);
+    for (std::uint64_t k = from + 1; k <= last; ++k) report_.steps += a_.holds(k) && b_.holds(k) ? 1 : 0;
+    report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
+    if (!tells_dt(a_) || !tells_dt(b_))
+      std::erase_if(report_.headers, [](const auto& d) { return d.key == "world.dt"; });
     if (std::ranges::any_of(report_.headers, &HeaderDifference::acts)) add_notes_on_cuts(a_, b_, report_.notes);
     if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();

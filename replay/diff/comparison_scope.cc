@@ -9,8 +9,6 @@
 namespace tumble::replay {
 namespace {
 
-using std::string_literals::operator""s;
-
 constexpr std::size_t kRunsShown = 4;
 constexpr std::size_t kChannelsShown = 12;
 
@@ -76,7 +74,7 @@ class Scope {
     const bool start = a_.first_state() == b_.first_state() && has_start_hashes(a_.header());
     const bool both_starts = start && has_start_hashes(b_.header());
     compare("hashes of inputs, states, contacts, phase hashes and channels of " +
-            (both_starts ? "the start and "s : "") + count_text(facts_.last - facts_.from, "step"));
+            std::string(both_starts ? "the start and " : "") + count_text(facts_.last - facts_.from, "step"));
     if (!both_starts) leave_out("the start: its bodies, and inputs before the first step; a log holds no hash of it");
     leave_out("the values themselves: the recorders kept hashes only");
   }

@@ -6,7 +6,6 @@
 #include "replay/diff/input_difference.h"
 #include "replay/format/engine_column.h"
 #include "replay/log/hashes_only.h"
-#include "replay/log/told_values.h"
 #include "replay/session/state_source.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -94,23 +93,6 @@ std::string cause_of(const DiffReport& found, const Divergence& first) {
   const bool result = first.phase == "step" || first.phase == "channels" || first.phase == "contacts";
   if (result) return "step " + std::to_string(first.step) + " came out otherwise: " + values_text(first);
   return "scene and inputs are equal; phase " + first.phase + " was computed otherwise";
-}
-
-std::vector<HeaderDifference> header_differences(const LogReader& a, const LogReader& b, const Tolerances& tolerances) {
-  std::vector<HeaderDifference> headers = header_differences(a.header(), b.header(), tolerances);
-  const auto told_no_dt = [](const LogReader& log) {
-    return log.header().engine && log.first_state() == log.last_step();
-  };
-  if (told_no_dt(a) || told_no_dt(b)) std::erase_if(headers, [](const auto& d) { return d.key == "world.dt"; });
-  return headers;
-}
-
-void add_notes_on_cuts(const LogReader& a, const LogReader& b, std::vector<std::string>& notes) {
-  for (const LogReader* log : {&a, &b}) {
-    ToldWatch told(log->header());
-    told.add(log->first_state(), log->header().declared.start);
-    if (const std::string cut = told.note(); !cut.empty()) notes.push_back(log->name() + ": " + cut);
-  }
 }
 
 Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, const DiffReport& found,

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "replay/diff/divergence_growth.h"
 #include "replay/diff/locate_divergence.h"
@@ -25,12 +24,6 @@ struct DifferenceReport {
   std::optional<DivergenceGrowth> growth;
   std::string growth_unknown;  ///< the reason why there is no growth; may be empty for a replay
 };
-
-/// header_differences() of the headers of two logs, without a dt that no engine told: without a step, it is a default.
-std::vector<HeaderDifference> header_differences(const LogReader& a, const LogReader& b, const Tolerances& tolerances);
-
-/// Adds which values of each log's scene are not those that its engine told: a header shows the scene's.
-void add_notes_on_cuts(const LogReader& a, const LogReader& b, std::vector<std::string>& notes);
 
 /// Reports the first difference that diff_logs() found between two logs; found.first must be there. Errors (kDamaged):
 /// states of a whole log that do not match its hashes. Other failures leave their part of the report out and give the

@@ -131,6 +131,16 @@ BodyTable bodies_until(const LogReader& log, std::uint64_t last) {
   return bodies;
 }
 
+bool tells_dt(const LogReader& log) { return !log.header().engine || log.first_state() < log.last_step(); }
+
+void add_notes_on_cuts(const LogReader& a, const LogReader& b, std::vector<std::string>& notes) {
+  for (const LogReader* log : {&a, &b}) {
+    ToldWatch told(log->header());
+    told.add(log->first_state(), log->header().declared.start);
+    if (const std::string cut = told.note(); !cut.empty()) notes.push_back(log->name() + ": " + cut);
+  }
+}
+
 bool tells_contacts(LogReader& log, std::uint64_t last) {
   if (!log.header().declared.start.contacts.empty()) return true;
   for (const ChunkPlace& place : log.chunks()) {

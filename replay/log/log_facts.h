@@ -44,6 +44,12 @@ Status read_start(LogReader& log, std::uint64_t from, StepRecord& start);
 /// step, where LogReader::bodies() reads all. Chunks that cannot be read are passed over.
 BodyTable bodies_until(const LogReader& log, std::uint64_t last);
 
+/// False for another engine's log without a step: no engine told the length that its header has.
+bool tells_dt(const LogReader& log);
+
+/// Adds which values of each log's scene are not those that its engine told at the start: a header shows the scene's.
+void add_notes_on_cuts(const LogReader& a, const LogReader& b, std::vector<std::string>& notes);
+
 /// Whether any readable state or step of another engine's log, up to step `last`, has a contact. Reads no more of it
 /// than it needs to say so.
 bool tells_contacts(LogReader& log, std::uint64_t last);

@@ -279,8 +279,8 @@ TEST(StreamImport, HashesAloneAreSaidToBeHashes) {
   const Result<replay::DiffReport> same = replay::diff_logs(one->log, again->log, {});
   ASSERT_TRUE(same.ok()) << same.error().message;
   EXPECT_TRUE(same->identical());
-  EXPECT_TRUE(
-      mentions(same->scope.compared, "hashes of inputs, states, contacts, phase hashes and channels of 4 steps"));
+  EXPECT_TRUE(mentions(same->scope.compared,
+                       "hashes of inputs, states, contacts, phase hashes and channels of the start and 4 steps"));
   EXPECT_FALSE(mentions(same->scope.compared, "states of 4 steps")) << "there are none";
   EXPECT_TRUE(mentions(same->scope.not_compared, "the recorders kept hashes only"));
   EXPECT_EQ(same->scope.every_bit(), "every compared bit");
