@@ -96,8 +96,8 @@ TEST(Landing, RubsNothingThatIsNotPressed) {
   plate.position = Vec3(0, 0, 1.14);
   plate.velocity = Vec3(2.9, 0, -6.1);
   plate.spin = Vec3(-3, -2, 3);
-  plate.orientation = turn(Vec3(1, -1, 1) / std::sqrt(3.0), std::cos(5 * 3.14159265358979 / 180),
-                           std::sin(5 * 3.14159265358979 / 180));
+  plate.orientation =
+      turn(Vec3(1, -1, 1) / std::sqrt(3.0), std::cos(5 * 3.14159265358979 / 180), std::sin(5 * 3.14159265358979 / 180));
   World world = made(scene);
   for (int k = 1; k < 60; ++k) {
     const Vec3 before = world.bodies().velocity[0];

@@ -206,6 +206,10 @@ TEST(StreamsCompared, NothingBehindTheTimeAskedForIsReported) {
   for (const json& metric : found["aftermath"]["metrics"]) EXPECT_NE(metric["name"], "drift_max") << metric;
   const Outcome text = shop.run({"diff", "a.tumble", "c.tumble", "--until", "0.25"});
   EXPECT_TRUE(has(text.out, "not compared: all behind step 16, as asked")) << text.out;
+  import_session(shop, "d", {.contacts_from = 3});
+  import_session(shop, "e", {.contacts_from = 3, .turned = true});
+  EXPECT_TRUE(
+      has(shop.run({"diff", "d.tumble", "e.tumble", "--until", "0.1"}).out, "effect  in no state up to step 6"));
 }
 
 TEST(StreamsCompared, WhatWasBeforeTheFirstDifferenceIsNotSaidToBeNothing) {

@@ -137,7 +137,8 @@ void print_headlines(const replay::DifferenceReport& report, const Sides& sides)
   if (report.effect) {
     listing.add("effect", effect_text(*report.effect, sides));
   } else if (!report.first.field.empty() && report.first.field != "error") {
-    listing.add("effect", report.growth ? "in no state" : "not known");
+    const auto last = [&] { return std::to_string(report.growth->separation.rows.back().step); };
+    listing.add("effect", report.growth ? "in no state up to step " + last() : "not known");
   }
   listing.print();
 }
