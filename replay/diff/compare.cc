@@ -42,7 +42,7 @@ class Diff {
     const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
     const std::uint64_t last = std::min(report_.last_a, report_.last_b);
     if (from > last) return no_common_step();
-    for (std::uint64_t k = from + 1; k <= last; ++k) report_.steps += a_.holds(k) && b_.holds(k) ? 1 : 0;
+    for (std::uint64_t k = from + 1; k <= last; ++k) report_.steps += a_.holds(k) && b_.holds(k) ? 1U : 0U;
     report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
     if (!tells_dt(a_) || !tells_dt(b_))
       std::erase_if(report_.headers, [](const auto& d) { return d.key == "world.dt"; });

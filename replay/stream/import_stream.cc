@@ -87,9 +87,7 @@ class StreamImporter {
         refusal_ = Refusal{k, ok.error().message};
         break;
       }
-      if (progress_ && !progress_(k, frames_ - 1)) {
-        return cannot_finish(stream_.name() + ": interrupted");
-      }
+      if (progress_ && !progress_(k, frames_ - 1)) return cannot_finish(stream_.name() + ": interrupted");
     }
     const Result<LogSummary> summary = (*log)->finish();
     if (!summary.ok()) return summary.error();

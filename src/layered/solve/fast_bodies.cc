@@ -236,7 +236,7 @@ void take_back_gifts(const Bodies& bodies, Scratch& scratch) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)})
       if (body != nullptr)
         shared::add(work > 0 ? body->given : body->taken,
-                    std::int64_t{std::llround(std::fabs(work) / body->work_most * kParts)});
+                    static_cast<std::int64_t>(std::fabs(work) / body->work_most * kParts + 0.5));
   });
   for_pressing(scratch, [&](const Pressing& contact) {
     if (!contact.bounces) return;
