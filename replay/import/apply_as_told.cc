@@ -27,10 +27,13 @@ sim::BodyId moved_by(const sim::Command& command) {
 
 Status apply_as_told(sim::World& world, const sim::Command& command) {
   sim::WorldState& state = world.mutable_state();
-  if (std::holds_alternative<sim::SetGravity>(command)) {
-    const std::vector<std::uint8_t> asleep = state.bodies.frozen;
+  if (std::holds_alternative<sim::SetGravity>(command) || std::holds_alternative<sim::Throw>(command)) {
+    std::vector<sim::BodyId> asleep;
+    for (sim::BodyIndex i = 0; i < state.bodies.size(); ++i) {
+      if (state.bodies.frozen[i] != 0) asleep.push_back(state.bodies.id[i]);
+    }
     Status done = sim::apply(world, command);
-    state.bodies.frozen = asleep;
+    for (const sim::BodyId id : asleep) state.bodies.frozen[*state.bodies.find(id)] = 1;
     return done;
   }
   Status done = sim::apply(world, command);

@@ -42,7 +42,7 @@ void LastStates::see(const StreamStep& step, std::uint64_t before, std::set<std:
   }
 }
 
-Status LastStates::find(const StreamFrame& frame, std::set<std::uint64_t> ids, StreamStates& states) {
+Status LastStates::find(const StreamFrame& frame, const std::set<std::uint64_t>& ids, StreamStates& states) {
   std::set<std::uint64_t> wanted = ids;
   std::map<std::uint64_t, std::uint64_t> woken;
   const auto is_older = [&](std::uint64_t id, std::uint64_t step) {  // what is known holds up to that step

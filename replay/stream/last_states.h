@@ -28,7 +28,7 @@ class LastStates {
 
   /// Adds to `states` those of these bodies before `frame`; of none where a later rewind replaced the steps that would
   /// tell.
-  Status find(const StreamFrame& frame, std::set<std::uint64_t> ids, StreamStates& states);
+  Status find(const StreamFrame& frame, const std::set<std::uint64_t>& ids, StreamStates& states);
 
  private:
   struct Known {

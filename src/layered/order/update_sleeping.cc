@@ -15,8 +15,11 @@ namespace {
 // 1e-5 rad; a body at rest gains and loses a thousandth of it, by rounding.
 constexpr double kSpeedingUp = 1e-5;
 
-// m/s, of a move that parts a deep overlap. Where bodies are parted more slowly they jam.
-constexpr double kParting = 1e-4;
+// m/s, of a move that parts an overlap; of a deep one, where slower moves count too. What parts more slowly is jammed.
+constexpr double kParting = 0.01, kPartingDeep = 1e-4;
+constexpr double kDeep = 0.04;  // of the smallest half extent
+
+constexpr double kTipping = 1e-4;  // of gravity; rubble that creeps sleeps
 
 // m/s, of a body that has that energy per kilogram and does not turn.
 double speed_of(double energy_per_kg) { return std::sqrt(2 * energy_per_kg); }
@@ -130,14 +133,15 @@ bool is_pushed(Scratch& scratch, BodyIndex island, double gain) {
   return (scratch.sleeping.together[island] != 0 ? gained : std::fabs(gained)) > gain;
 }
 
-// Whether a body is moved out of what it overlaps by more than twice of what solving leaves.
+// Whether a body is moved out of what it overlaps by more than twice of what solving leaves, or by much.
 bool parts(const Bodies& bodies, const Scratch& scratch, const Manifold& m) {
-  const auto moved = [&](BodyIndex i) { return !rests(bodies, i) && speed_of(parting(scratch, i)) > kParting; };
-  if (!moved(m.a) && !moved(m.b)) return false;
+  const auto speed = [&](BodyIndex i) { return rests(bodies, i) ? 0.0 : speed_of(parting(scratch, i)); };
+  const double fastest = std::max(speed(m.a), speed(m.b));
+  if (fastest <= kPartingDeep) return false;
   const BoxFrame& b = scratch.frames[m.b];
   const double smallest = smallest_half_extent(m.a == kGround ? b : scratch.frames[m.a], b);
-  const double deep = 2 * std::min(kSlop, kSlopOfHalfExtent * smallest);
-  return std::ranges::any_of(points_of(scratch, m), [&](const ManifoldPoint& p) { return p.separation < -deep; });
+  const double least = fastest > kParting ? 2 * std::min(kSlop, kSlopOfHalfExtent * smallest) : kDeep * smallest;
+  return std::ranges::any_of(points_of(scratch, m), [&](const ManifoldPoint& p) { return p.separation < -least; });
 }
 
 // Whether a body tips: its weight and what it bears lie outside of what supports it (carry_weights), and it moves. A
@@ -146,7 +150,7 @@ bool parts(const Bodies& bodies, const Scratch& scratch, const Manifold& m) {
 bool tips(const WorldState& state, const Scratch& scratch, BodyIndex i) {
   if (scratch.weights.held[i] != 0) return false;
   const double rest = state.bodies.low_energy_time[i];
-  const double gained = kSpeedingUp * length(state.def.gravity) * rest;  // m/s
+  const double gained = kTipping * length(state.def.gravity) * rest;  // m/s
   return speed_of(energy_per_mass(state.bodies, i)) * state.def.freeze_time > gained * rest;
 }
 
