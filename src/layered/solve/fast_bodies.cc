@@ -210,7 +210,7 @@ void find_flying(const Bodies& bodies, Scratch& scratch, double substep_s) {
 void take_back_gifts(const Bodies& bodies, Scratch& scratch) {
   FastContacts& fast = scratch.fast;
   ContactBatches& all = fast.batches;
-  constexpr double kParts = 1 << 30;  // of the largest work at a body: whole numbers add up alike in any order
+  constexpr double kParts = 1 << 30, kNearest = 0.5;  // of the largest work at a body: whole numbers add up alike
   for_fast_bodies(scratch, [](FastBody& body) { body.work_most = 0, body.given = body.taken = 0; });
   const auto absorbed = [&](const Pressing& contact) -> double& {
     return all.impacts[all.batches[contact.batch].impact].absorbed.of[contact.lane];
@@ -236,7 +236,7 @@ void take_back_gifts(const Bodies& bodies, Scratch& scratch) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)})
       if (body != nullptr)
         shared::add(work > 0 ? body->given : body->taken,
-                    static_cast<std::int64_t>(std::fabs(work) / body->work_most * kParts + 0.5));
+                    static_cast<std::int64_t>(std::fabs(work) / body->work_most * kParts + kNearest));
   });
   for_pressing(scratch, [&](const Pressing& contact) {
     if (!contact.bounces) return;
