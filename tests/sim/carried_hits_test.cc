@@ -164,6 +164,24 @@ TEST(CarriedHits, WhatFallsOnAStackBouncesAsOffTheGround) {
   }
 }
 
+struct Fall {
+  double deepest = 0, up = 0;  // m, m/s
+};
+Fall fall_on_a_cube(int substeps, double e, double mass, double height) {
+  SceneDef scene = floor_of(substeps, e, {0, 0, -9.81});
+  add(scene, 0.5, 0);
+  add(scene, 1.5 + height, -kFall, mass);
+  World world = made(scene);
+  Fall fall;
+  for (int k = 0; k < 12; ++k) {
+    advance(world);
+    const double lower = world.bodies().position[0].z(), upper = world.bodies().position[1].z();
+    fall.deepest = std::max({fall.deepest, 1 - (upper - lower), 0.5 - lower});
+    fall.up = std::max(fall.up, speed(world, 1));
+  }
+  return fall;
+}
+
 // What falls on one body that lies is stopped before bodies move, up to 10 mm in a step of 1/60 s: swept once, it went
 // 11 to 52 mm into it.
 TEST(CarriedHits, WhatFallsOnABodyStaysOnTop) {
@@ -171,19 +189,9 @@ TEST(CarriedHits, WhatFallsOnABodyStaysOnTop) {
     for (const double e : {0.0, 0.5}) {
       for (const double mass : {1.0, 10.0, 1000.0}) {
         for (const double height : {0.1, 0.13, 0.15, 0.2, 0.25, 0.4}) {
-          SceneDef scene = floor_of(substeps, e, {0, 0, -9.81});
-          add(scene, 0.5, 0);
-          add(scene, 1.5 + height, -kFall, mass);
-          World world = made(scene);
-          double deepest = 0, up = 0;
-          for (int k = 0; k < 12; ++k) {
-            advance(world);
-            const double lower = world.bodies().position[0].z(), upper = world.bodies().position[1].z();
-            deepest = std::max({deepest, 1 - (upper - lower), 0.5 - lower});
-            up = std::max(up, speed(world, 1));
-          }
-          EXPECT_LT(deepest, 0.01 / substeps) << mass << ' ' << at(substeps, e, height);
-          EXPECT_GE(up, 0.97 * e * kFall) << mass << ' ' << at(substeps, e, height);
+          const Fall fall = fall_on_a_cube(substeps, e, mass, height);
+          EXPECT_LT(fall.deepest, 0.01 / substeps) << mass << ' ' << at(substeps, e, height);
+          EXPECT_GE(fall.up, 0.97 * e * kFall) << mass << ' ' << at(substeps, e, height);
         }
       }
     }
