@@ -216,7 +216,7 @@ std::vector<std::string> lacking(const LogHeader& one, const LogHeader& other) {
   for (const std::string& phase : one.phases) {
     if (std::ranges::find(other.phases, phase) == other.phases.end()) parts.push_back("phase hashes of " + phase);
   }
-  if (!match_phases(one, other).in_order) parts.emplace_back("its order of phases");
+  if (!match_phases(one, other).in_order) parts.emplace_back("this order of phases");
   return parts;
 }
 
